@@ -391,6 +391,14 @@ EACH(false_step_is_refused, COUNT(refused))
 
 enum { EMPTY_LEFT, EMPTY_RIGHT, EMPTY_DELETED };
 
+/* A text that says one of its sides twice. */
+static void empty_equality(char text[1000], const char *equality, bool left)
+{
+    const char *sign = side_end(equality, "=");
+    const int length = left ? (int)(sign - equality) : (int)strlen(sign + 1);
+    snprintf(text, 1000, "%.*s = %.*s", length, left ? equality : sign + 1, length, left ? equality : sign + 1);
+}
+
 /* Every equality of every step, replaced by its left or right side twice, or left out; of deletions, which take a whole binding each, some. */
 TEST(emptied_step_is_refused)
 {
@@ -398,31 +406,36 @@ TEST(emptied_step_is_refused)
     int tried = 0, proved = 0;
     open_steps(&d);
     for (int i = 0; i < d.step_count; i++)
-        for (int k = 0; k < d.steps[i].corrected.shown_count; k++)
+        for (int k = 0; k < d.steps[i].corrected.show->count; k++)
             for (int how = EMPTY_LEFT; how <= EMPTY_DELETED; how++) {
                 struct step s = d.steps[i];
-                struct equality shown[MOST_SHOWN];
+                struct yaml show = *s.corrected.show, equalities[MOST_SHOWN];
+                struct message unused = {""}; /* what only the deleted one rested on */
                 struct binding b = {.mutants = 0};
+                char text[1000];
                 struct proof p;
-                if ((how > EMPTY_LEFT && k > 0) || (how == EMPTY_DELETED && (i % 5 > 0 || s.corrected.shown_count == 1)))
+                if ((how > EMPTY_LEFT && k > 0) || (how == EMPTY_DELETED && (i % 5 > 0 || show.count == 1)))
                     continue;
-                memcpy(shown, s.corrected.shown, (size_t)s.corrected.shown_count * sizeof *shown);
-                if (how == EMPTY_LEFT)
-                    shown[k].right = shown[k].left;
-                else
-                    shown[k].left = shown[k].right;
-                s.corrected.shown = how == EMPTY_DELETED ? shown + 1 : shown;
-                s.corrected.shown_count -= how == EMPTY_DELETED;
-                identities_prove(&s.corrected, &p);
-                if (p.result == IDENTITY_HOLDS)
-                    step_bind(&d, &s, &b);
-                ck_assert_msg(p.result != IDENTITY_HOLDS || b.fault.text[0] != '\0', "%s: %s: %d", s.id, shown[k].text, how);
-                proved += p.result == IDENTITY_HOLDS;
+                memcpy(equalities, show.items, (size_t)show.count * sizeof *equalities);
+                empty_equality(text, equalities[k].text, how == EMPTY_LEFT);
+                equalities[k].text = text;
+                show.items = how == EMPTY_DELETED ? equalities + 1 : equalities;
+                show.count -= how == EMPTY_DELETED;
+                d.tree->why = &unused;
+                ck_assert(identities_open(&s.corrected, &d.steps[i].corrected.scope));
+                if (identities_show(&s.corrected, &show)) {
+                    identities_prove(&s.corrected, &p);
+                    if (p.result == IDENTITY_HOLDS)
+                        step_bind(&d, &s, &b);
+                    ck_assert_msg(p.result != IDENTITY_HOLDS || b.fault.text[0] != '\0', "%s: %s: %d", s.id, text, how);
+                    proved += p.result == IDENTITY_HOLDS;
+                    proof_clear(&p);
+                }
                 tried++;
-                proof_clear(&p);
+                identities_clear(&s.corrected);
             }
     ck_assert_int_gt(tried, 250);
-    ck_assert_int_gt(proved, 200);
+    ck_assert_int_gt(proved, 150);
     derivations_clear(&d);
 }
 

@@ -11,8 +11,7 @@ struct claim_reading {
     struct statements *all;
     struct statement *statement;
     const struct yaml *entry; /* a mapping of `prove`; NULL: none */
-    struct scope scope;       /* of its formulas, */
-    struct identities *formulas; /* which are read into one program */
+    struct identities *formulas; /* its formulas are read into one program */
     struct values *at;        /* read so far */
     ulong uses;               /* the assertions that formulas took numbers of */
 };
@@ -47,12 +46,6 @@ static const char *scalar_of(const struct yaml *node)
 static bool are_texts(const struct yaml *node, int most, const char *expected)
 {
     return node->text != NULL || (is_texts(node, most) && (node->count > 0 || node_error(node, 0, "%s", expected)));
-}
-
-/* The first, second ... of these; NULL: there is no further one. */
-static const struct yaml *text_at(const struct yaml *node, int i)
-{
-    return node->text != NULL ? (i == 0 ? node : NULL) : i < node->count ? &node->items[i] : NULL;
 }
 
 /* ---- names ---- */
@@ -110,12 +103,12 @@ static bool open_formulas(struct claim_reading *r, const struct yaml *entry)
 {
     static const struct yaml nothing = {.mapping = true};
     r->entry = entry;
-    r->scope = (struct scope){.sheet = r->all->sheet, .definitions = &r->all->proofs->definitions,
-                              .given = entry, .shared = r->statement->given != NULL ? r->statement->given : &nothing,
-                              .names = r->all->names, .name_count = r->all->name_count};
+    const struct scope scope = {.sheet = r->all->sheet, .definitions = &r->all->proofs->definitions,
+                                .given = entry, .shared = r->statement->given != NULL ? r->statement->given : &nothing,
+                                .names = r->all->names, .name_count = r->all->name_count};
     r->formulas = xrealloc(NULL, 1, sizeof *r->formulas);
     *APPENDED(r->all->formulas, r->all->formula_count) = r->formulas;
-    return identities_open(r->formulas, &r->scope);
+    return identities_open(r->formulas, &scope);
 }
 
 /* Which assertions a node takes numbers of; those that stand after it are open, and with them the node. */
@@ -151,7 +144,7 @@ static bool take_node(struct claim_reading *r, struct formula *f, int node)
 /* One that stands `shift` characters into a scalar. */
 static bool read_formula_text(struct claim_reading *r, struct formula *f, const struct yaml *node, const char *text, size_t shift)
 {
-    return take_node(r, f, identities_text(r->formulas, &r->scope, node, text, shift));
+    return take_node(r, f, identities_text(r->formulas, node, text, shift));
 }
 
 static bool read_formula(struct claim_reading *r, struct formula *f, const struct yaml *node)
@@ -243,8 +236,8 @@ static bool read_difference(struct claim_reading *r, struct assertion *a, const 
 {
     const char *text = node->text, *left = keep_text(r->all, text, (size_t)(sign - text));
     struct program *p = &r->formulas->program;
-    const int one = identities_text(r->formulas, &r->scope, node, left, 0);
-    a->right = one >= 0 ? identities_text(r->formulas, &r->scope, node, sign + 1, (size_t)(sign - text) + 1) : -1;
+    const int one = identities_text(r->formulas, node, left, 0);
+    a->right = one >= 0 ? identities_text(r->formulas, node, sign + 1, (size_t)(sign - text) + 1) : -1;
     if (a->right < 0)
         return false;
     a->loose = a->variable == NULL && is_nameless(p, a->right);
@@ -257,10 +250,7 @@ static bool read_identity(struct claim_reading *r, struct assertion *a, const st
     const bool algebra = own(r, "algebra") != NULL; /* it rests on no formula of the sheet, and says so */
     if (own(r, "at") != NULL || own(r, "on") != NULL)
         return entry_error(r, node, "expected no at and no on beside equalities for all values");
-    for (int i = 0; text_at(node, i) != NULL; i++)
-        if (!identities_show(r->formulas, &r->scope, text_at(node, i)))
-            return false;
-    if (!identities_close(r->formulas, &r->scope))
+    if (!identities_show(r->formulas, node))
         return false;
     a->identity = r->formulas;
     const struct equality *empty = algebra ? NULL : identities_tautology(r->formulas);

@@ -71,10 +71,10 @@ struct design {
 
 /* ---- numbers ---- */
 
-static void add_number(struct design *d, const struct scope *scope, const char *group, const char *name, const char *unit,
+static void add_number(struct design *d, const char *group, const char *name, const char *unit,
                        const char *meaning, const char *formula)
 {
-    const int node = identities_text(&d->formulas, scope, NULL, formula, 0);
+    const int node = identities_text(&d->formulas, NULL, formula, 0);
     program_name(&d->formulas.program, node, name);
     if (*group != '\0')
         d->numbers[d->count++] = (struct design_number){group, name, unit, meaning, node, NULL};
@@ -92,7 +92,7 @@ static void design_formulas(struct design *d)
     for (int i = 0; i < DESIGN_ROWS; i++) {
         const struct design_row *r = &design_rows[i];
         group = r->group != NULL ? r->group : group;
-        add_number(d, &scope, group, r->name, r->unit, r->meaning, r->formula);
+        add_number(d, group, r->name, r->unit, r->meaning, r->formula);
     }
     group = "basin of rest at L_ref, by the energy of the nonlinear model without screening";
     for (int i = guarantee_find("equilibrium"); i < GUARANTEES; i++) {
@@ -103,7 +103,7 @@ static void design_formulas(struct design *d)
             group = "errors that stay and are borne, by the nonlinear model: of the force (charges, k_c, masses); pushes of one "
                     "craft against the other";
         if (g->meaning != NULL)
-            add_number(d, &scope, group, g->name, g->unit, g->meaning, formula);
+            add_number(d, group, g->name, g->unit, g->meaning, formula);
     }
 }
 

@@ -117,12 +117,6 @@ int program_own(struct program *p, int first, int node)
     return node;
 }
 
-void program_truncate(struct program *p, int count)
-{
-    while (p->count > count)
-        fmpq_clear(&p->nodes[--p->count].number);
-}
-
 /* ---- the parser: recursive descent, one function a level of binding ---- */
 
 enum { DEEPEST_FORMULA = 200 }; /* brackets within brackets: far beyond any formula, far below the C stack's end */

@@ -87,9 +87,6 @@ int program_copy_node(struct program *p, const struct program *from, int node, i
 /* The node, or twice its negative where it is older than `first`: a node of its own. */
 int program_own(struct program *p, int first, int node);
 
-/* Takes away the last nodes, which nothing names, from number `count` on. */
-void program_truncate(struct program *p, int count);
-
 /* needed[i]: the node rests on node i, and not by way of a node that stand_in (NULL: none) replaces. To be freed. */
 char *program_needs(const struct program *p, int node, const int *stand_in);
 

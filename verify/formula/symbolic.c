@@ -30,12 +30,12 @@ struct opaque {
 static struct symbolic_field {
     struct symbolic_field *outer;
     fmpz_mpoly_ctx_t ctx;
-    slong variables, more, opaques, kept_opaques;
+    slong variables, more, opaques;
     bool large;
     struct opaque *opaque;
     quotient roots[MOST_ROOTS];
     bool used[MOST_ROOTS];
-    int root_count, kept_roots;
+    int root_count;
     clock_t start;
     char size[80]; /* what is too large in it */
 } *field;
@@ -79,30 +79,16 @@ void symbolic_begin(slong variables, slong more)
     field->opaque = xrealloc(NULL, (size_t)more + 1, sizeof *field->opaque);
 }
 
-void symbolic_keep(void)
+void symbolic_end(void)
 {
-    field->kept_opaques = field->opaques;
-    field->kept_roots = field->root_count;
-}
-
-void symbolic_forget(void)
-{
-    while (field->opaques > field->kept_opaques) {
+    struct symbolic_field *outer = field->outer;
+    while (field->opaques > 0) {
         struct opaque *last = &field->opaque[--field->opaques];
         arithmetic_symbolic.clear(&last->x);
         arithmetic_symbolic.clear(&last->y);
     }
-    while (field->root_count > field->kept_roots)
+    while (field->root_count > 0)
         quotient_clear(&field->roots[--field->root_count]);
-    field->large = false;
-    field->start = clock();
-}
-
-void symbolic_end(void)
-{
-    field->kept_opaques = field->kept_roots = 0;
-    symbolic_forget();
-    struct symbolic_field *outer = field->outer;
     free(field->opaque);
     fmpz_mpoly_ctx_clear(CTX);
     free(field);

@@ -42,10 +42,6 @@ extern const struct arithmetic arithmetic_symbolic; /* prec = number of terms */
 void symbolic_begin(slong variables, slong more);
 void symbolic_end(void);
 
-/* The functions and roots that are known stay; those since then go, and the bounds of size and time begin anew. */
-void symbolic_keep(void);
-void symbolic_forget(void);
-
 const fmpz_mpoly_ctx_struct *symbolic_context(void);
 
 /* The variable, times epsilon^power; the angle whose half has it for its tangent. A point (NULL: none) is its value. */

@@ -101,212 +101,77 @@ bool entry_leads_to(const struct derivations *d, const char *entry, const char *
 
 /* ---- alterations ---- */
 
-/* What becomes of a formula F: a F + b, with free a and b of its own (an angle is turned by b); -F; or one of its nodes. */
-enum change { CHANGE_ANY, CHANGE_RESULT, CHANGE_SIGN, CHANGE_LEFT, CHANGE_RIGHT, CHANGE_NUMBER, CHANGES };
-
-static const char *const changes[CHANGES] = {[CHANGE_RESULT] = "its sign",
-                                             [CHANGE_SIGN] = "a sign",
-                                             [CHANGE_LEFT] = "a right factor or term dropped",
-                                             [CHANGE_RIGHT] = "a left factor or term dropped",
-                                             [CHANGE_NUMBER] = "a number or exponent"};
-
-/* A step at work: behind the nodes of its program stand those that are other for an alteration. */
-struct table {
-    const struct derivations *d;
-    const struct step *s;
-    struct binding *b;
-    struct identities t;    /* the step's, the program being the table's own                 */
-    struct run run;         /* at a point of the domain: what differs there differs                                          */
-    int count;              /* of its nodes                                                  */
-    int *mark, *map;        /* of each node: 1 + its pair of free numbers where it is to be altered, else 0; what it is then */
-    bool alone[MOST_SHOWN]; /* this equality alone breaks by something: the step needs it    */
+/* Identities with formulas altered, at a point of the domain: what differs there differs. */
+struct altered {
+    const struct identities *of;
+    struct identities t;
+    struct run run;
 };
 
-static void run_open(const struct table *x, struct run *r, enum manner manner)
+static void run_altered(struct run *r, const struct altered *x, enum manner manner)
 {
-    run_begin(r, &x->t, FLINT_MAX(x->t.order, 0) + 1, manner, 2 * x->count);
-    for (int i = 0; i < x->t.root_count; i++)
-        run_root(r, x->t.roots[i].node);
-    run_keep(r, x->count);
+    const struct identities *of = x->of;
+    run_begin(r, of, FLINT_MAX(of->order, 0) + 1, manner, 4 * (of->use_count + of->program.named - of->program.inputs + 1));
+    for (int i = 0; i < of->root_count; i++)
+        run_root(r, of->roots[i].node);
+    run_turn_to(r, &x->t);
 }
 
-static void table_open(struct table *x, const struct identities *t, enum manner manner)
+static void altered_open(struct altered *x, const struct identities *of, const struct alteration *a)
 {
-    x->t = *t;
-    x->count = t->program.count;
-    program_copy(&x->t.program, &t->program);
-    x->mark = xrealloc(NULL, (size_t)x->count, sizeof *x->mark);
-    x->map = xrealloc(NULL, (size_t)x->count, sizeof *x->map);
-    memset(x->mark, 0, (size_t)x->count * sizeof *x->mark);
-    x->t.needed = xrealloc(NULL, (size_t)x->count, 1);
-    memset(x->t.needed, 1, (size_t)x->count); /* any node may be, by an alteration */
-    run_open(x, &x->run, manner);
+    x->of = of;
+    identities_alter(&x->t, of, a);
+    run_altered(&x->run, x, RUN_AT_POINT);
 }
 
-static void table_close(struct table *x)
+static void altered_close(struct altered *x)
 {
     run_end(&x->run);
-    program_clear(&x->t.program);
-    free(x->t.needed);
-    free(x->mark);
-    free(x->map);
-}
-
-/* What to alter: what an entry stands for, or a part; where all that is NULL, everything. */
-struct target {
-    enum change change;
-    int node; /* of the part's program, which changes */
-    const char *entry;
-    const struct entry_part *part;
-};
-
-static bool concerns(const struct table *x, const struct target *target, const struct use *u)
-{
-    const struct entry_part *part = target->part;
-    if (target->entry != NULL)
-        return entry_concerns(x->d, target->entry, u);
-    if (part == NULL)
-        return true;
-    return u->formulas == part->formulas && (target->change >= CHANGE_SIGN || u->part == part->node);
-}
-
-/* Marks what a target alters; all uses of one formula have the pair of the first. */
-static void mark(struct table *x, const struct target *target)
-{
-    const struct use *uses = x->t.uses;
-    memset(x->mark, 0, (size_t)x->count * sizeof *x->mark);
-    for (int i = 0; i < x->t.use_count; i++) {
-        if (!concerns(x, target, &uses[i]))
-            continue;
-        const int at = target->change < CHANGE_SIGN ? uses[i].node : uses[i].copy[target->node];
-        int first = 0;
-        if (at < uses[i].first) /* something else is bound to it */
-            continue;
-        while (uses[first].formulas != uses[i].formulas || uses[first].part != uses[i].part)
-            first++;
-        x->mark[at] = 1 + uses[first].node;
-    }
-}
-
-/* Changes a node, or says what stands in its place; false where this change is none of this node. Of a number n.exponent is added. */
-static bool change_node(struct node *n, enum change change, int *instead)
-{
-    const bool pair = n->right >= 0;
-    *instead = -1;
-    if ((change == CHANGE_SIGN && n->op == OPERATOR_NEGATE) || (change == CHANGE_LEFT && n->left >= 0))
-        *instead = n->left; /* a term, a factor, a divisor, a function is dropped */
-    else if (change == CHANGE_SIGN && (n->op == OPERATOR_ADD || n->op == OPERATOR_SUBTRACT))
-        n->op = n->op == OPERATOR_ADD ? OPERATOR_SUBTRACT : OPERATOR_ADD;
-    else if (change == CHANGE_SIGN && (n->op == OPERATOR_SIN || n->op == OPERATOR_COS))
-        n->op = n->op == OPERATOR_SIN ? OPERATOR_COS : OPERATOR_SIN;
-    else if (change == CHANGE_RIGHT && pair && n->op != OPERATOR_DIVIDE)
-        *instead = n->right;
-    else if (change == CHANGE_RIGHT && n->op == OPERATOR_DIVIDE)
-        n->op = OPERATOR_MULTIPLY;
-    else if (change == CHANGE_NUMBER && (n->op == OPERATOR_POWER || n->op == OPERATOR_NUMBER))
-        n->exponent++;
-    else
-        return false;
-    return true;
-}
-
-/* a F + b, of an angle F + b */
-static int any_formula(struct program *p, int node, int pair)
-{
-    const bool angle = p->nodes[node].op == OPERATOR_ATAN2;
-    const int factor = program_append(p, OPERATOR_INPUT, -1, -1, 2 * pair);
-    const int shift = program_append(p, OPERATOR_INPUT, -1, -1, 2 * pair + 1);
-    fmpq_set_si(&p->nodes[shift].number, angle, 1);
-    return program_append(p, OPERATOR_ADD, angle ? node : program_append(p, OPERATOR_MULTIPLY, node, factor, 0), shift, 0);
-}
-
-/* What node i is once the nodes before it are what the map says. */
-static int altered_node(struct table *x, int i, enum change change)
-{
-    struct program *p = &x->t.program;
-    struct node n = p->nodes[i];
-    int node = i, instead = -1;
-    n.left = n.left < 0 ? -1 : x->map[n.left];
-    n.right = n.right < 0 ? -1 : x->map[n.right];
-    const bool moved = n.left != p->nodes[i].left || n.right != p->nodes[i].right, own = x->mark[i] > 0;
-    if (own && change_node(&n, change, &instead) && instead >= 0)
-        return instead;
-    if (moved || own) {
-        node = program_append(p, n.op, n.left, n.right, n.exponent);
-        fmpq_add_si(&p->nodes[node].number, &p->nodes[i].number, n.exponent); /* but numbers nothing has one */
-    }
-    if (own && change == CHANGE_RESULT)
-        return program_append(p, OPERATOR_NEGATE, node, -1, 0);
-    return own && change == CHANGE_ANY ? any_formula(p, node, x->mark[i] - 1) : node;
-}
-
-/* A derivative is taken anew. */
-static void alter_rate(struct table *x, const struct rate *r)
-{
-    struct program *p = &x->t.program;
-    const int count = p->count;
-    int *rates = xrealloc(NULL, (size_t)count, sizeof *rates);
-    for (int i = 0; i < count; i++)
-        rates[i] = -1;
-    for (int i = 0; i < r->first; i++)
-        if (r->by[i] >= 0)
-            rates[x->map[i]] = x->map[r->by[i]];
-    x->map[r->result] = program_derivative(p, x->map[r->of], rates, count);
-    free(rates);
-}
-
-/* What is marked changes, and all that rests on it. */
-static void alter(struct table *x, enum change change)
-{
-    for (int i = 0, rates = 0; i < x->count; i++) {
-        if (rates < x->t.rate_count && i == x->t.rates[rates].first) {
-            const struct rate *here = &x->t.rates[rates++];
-            alter_rate(x, here);
-            for (; i < here->result; i++)
-                x->map[i] = i; /* nothing else rests on them */
-        } else {
-            x->map[i] = altered_node(x, i, change);
-        }
-    }
-    run_extend(&x->run);
-}
-
-static void restore(struct table *x)
-{
-    program_truncate(&x->t.program, x->count);
-    run_forget(&x->run);
+    identities_clear(&x->t);
 }
 
 /* What is not shown to differ is equal still. Where the point has no value, normal forms tell whether it has one elsewhere. */
-static bool equal_still(struct table *x, int left, int right)
+static bool equal_still(struct altered *x, int shown)
 {
+    const struct equality *e = &x->t.shown[shown];
     struct run everywhere;
-    if (x->map[left] == left && x->map[right] == right)
-        return true;
-    enum result result = run_compare(&x->run, x->map[left], x->map[right]);
+    enum result result = run_compare(&x->run, e->left, e->right);
     if (result == IDENTITY_UNDECIDED) {
-        run_open(x, &everywhere, RUN_LOOSE);
-        run_extend(&everywhere);
-        result = run_compare(&everywhere, x->map[left], x->map[right]);
+        run_altered(&everywhere, x, RUN_LOOSE);
+        result = run_compare(&everywhere, e->left, e->right);
         run_end(&everywhere);
     }
     return result != IDENTITY_DIFFERS;
 }
 
-/* Whether an equality breaks; where it is the only one, the step needs it. */
-static bool breaks_by(struct table *x, struct target target)
+/* A step at work. */
+struct table {
+    const struct derivations *d;
+    const struct step *s;
+    struct binding *b;
+    bool alone[MOST_SHOWN]; /* this equality alone breaks by something: the step needs it */
+};
+
+/* Whether an equality breaks by what becomes of an entry or, where that is NULL, of a part; of one alone the step has need. */
+static bool breaks_by(struct table *table, enum change change, int node, const char *entry, const struct entry_part *part)
 {
+    const struct identities *t = &table->s->corrected;
+    bool *uses = xrealloc(NULL, (size_t)t->use_count + 1, sizeof *uses);
     int broken = 0, last = -1;
-    mark(x, &target);
-    alter(x, target.change);
-    for (int i = 0; i < x->t.shown_count && broken < 2; i++)
-        if (!equal_still(x, x->t.shown[i].left, x->t.shown[i].right)) {
+    struct altered x;
+    for (int i = 0; i < t->use_count; i++)
+        uses[i] = entry != NULL ? entry_concerns(table->d, entry, &t->uses[i])
+                                : t->uses[i].formulas == part->formulas && (change >= CHANGE_SIGN || t->uses[i].part == part->node);
+    altered_open(&x, t, &(struct alteration){change, node, uses, false});
+    for (int i = 0; i < x.t.shown_count && broken < 2; i++)
+        if (!equal_still(&x, i)) {
             broken++;
             last = i;
         }
-    restore(x);
+    altered_close(&x);
+    free(uses);
     if (broken == 1)
-        x->alone[last] = true;
+        table->alone[last] = true;
     return broken > 0;
 }
 
@@ -328,46 +193,46 @@ static bool says_number(const struct identities *t, const struct equality *e)
     return nodes[e->left].op == OPERATOR_NUMBER || nodes[e->right].op == OPERATOR_NUMBER;
 }
 
-/* The first of the equalities, NULL where there is none; of lines, whatever the definitions are, and none that goes on another. */
-static const struct equality *first_tautology(struct table *x, bool lines)
+/* Whether something that was altered is in it. */
+static bool is_altered(const struct program *p, const struct equality *e)
 {
-    const struct identities *t = &x->t;
-    const struct target everything = {.change = CHANGE_ANY};
-    const struct equality *e = t->shown, *const end = t->shown + t->shown_count;
-    bool speaks = true;
-    mark(x, &everything);
-    for (int i = t->program.inputs; i < t->program.named && lines; i++)
-        if (x->mark[t->program.names[i].node] == 0)
-            x->mark[t->program.names[i].node] = 1 + t->program.names[i].node;
-    alter(x, CHANGE_ANY);
-    for (; e < end && speaks; e++) {
-        speaks = (lines && !says_number(t, e)) || !equal_still(x, e->left, e->right);
-        for (const struct equality *link = e; !speaks && lines && link->offset > 0; link--)
-            speaks = !equal_still(x, link[-1].left, link[-1].right);
-    }
-    restore(x);
-    return speaks ? NULL : e - 1;
+    char *needed = program_needs(p, FLINT_MAX(e->left, e->right), NULL);
+    bool free_number = false;
+    program_mark(p, FLINT_MIN(e->left, e->right), NULL, needed);
+    for (int i = p->inputs; i < p->count; i++)
+        free_number = free_number || (needed[i] && p->nodes[i].op == OPERATOR_INPUT);
+    free(needed);
+    return free_number;
 }
 
-static const struct equality *tautology_of(const struct identities *t, bool lines)
+/* The first of the equalities, NULL where there is none; of lines, whatever the definitions are, and none that goes on another. */
+static const struct equality *first_tautology(const struct identities *t, bool lines)
 {
-    struct table x = {.d = NULL};
-    table_open(&x, t, RUN_AT_POINT);
-    const struct equality *empty = first_tautology(&x, lines);
-    table_close(&x);
-    return empty;
+    bool *all = xrealloc(NULL, (size_t)t->use_count + 1, sizeof *all), speaks = true;
+    struct altered x;
+    int i = 0;
+    memset(all, true, (size_t)t->use_count);
+    altered_open(&x, t, &(struct alteration){CHANGE_ANY, -1, all, lines});
+    for (; i < x.t.shown_count && speaks; i++) {
+        speaks = (lines && !says_number(t, &t->shown[i])) || (is_altered(&x.t.program, &x.t.shown[i]) && !equal_still(&x, i));
+        for (int link = i; !speaks && lines && t->shown[link].offset > 0; link--)
+            speaks = !equal_still(&x, link - 1);
+    }
+    altered_close(&x);
+    free(all);
+    return speaks ? NULL : &t->shown[i - 1];
 }
 
 const struct equality *identities_tautology(const struct identities *t)
 {
-    return tautology_of(t, false);
+    return first_tautology(t, false);
 }
 
 static bool no_tautology(struct table *table)
 {
-    const struct equality *empty = first_tautology(table, false);
-    if (empty == NULL)
-        empty = tautology_of(&table->s->lines, true);
+    const struct equality *empty = first_tautology(&table->s->corrected, false);
+    if (empty == NULL && table->s->line_map != NULL)
+        empty = first_tautology(&table->s->lines, true);
     return empty == NULL ||
            BINDING_FAULT(table, empty->at, empty->offset, "%s holds whatever the formulas are: it shows nothing", empty->text);
 }
@@ -379,7 +244,7 @@ static bool all_used(struct table *table)
     if (table->s->from_count == 0)
         return BINDING_FAULT(table, table->s->node, 0, "expected an equation or a %s in 'from'", "principle");
     for (int i = 0; i < table->s->from_count; i++)
-        if (!breaks_by(table, (struct target){.change = CHANGE_ANY, .entry = table->s->from[i]}))
+        if (!breaks_by(table, CHANGE_ANY, -1, table->s->from[i], NULL))
             return BINDING_FAULT(table, item(table, "from", i), 0, "'%s' is not used: any formula in its place would do", table->s->from[i]);
     return true;
 }
@@ -461,17 +326,21 @@ static bool is_general(struct table *table, int to, const struct entry_part *par
 /* Whether the changed formula is the same function of its inputs: then no step can tell. */
 static bool is_equivalent(const struct program *p, int wanted, enum change change, int node)
 {
-    struct identities t = {.program = *p};
-    struct table x = {.s = NULL};
+    struct identities t = {.order = -1};
+    struct run r;
+    int *map = xrealloc(NULL, (size_t)p->count, sizeof *map);
+    for (int i = 0; i < p->count; i++)
+        map[i] = i < p->inputs ? i : -1;
+    program_copy(&t.program, p);
+    const int changed = alteration_copy(&t.program, p, wanted, &(struct alteration){.change = change, .node = node}, 0, map);
     t.variables = xrealloc(NULL, (size_t)p->inputs + 1, sizeof *t.variables);
     for (int i = 0; i < p->inputs; i++)
         t.variables[i] = (struct variable){.signs = SIGN_ANY};
-    table_open(&x, &t, RUN_LOOSE);
-    x.mark[node] = 1;
-    alter(&x, change);
-    const bool same = run_compare(&x.run, wanted, x.map[wanted]) == IDENTITY_HOLDS;
-    table_close(&x);
-    free(t.variables);
+    run_begin(&r, &t, 1, RUN_LOOSE, 0);
+    const bool same = run_compare(&r, wanted, changed) == IDENTITY_HOLDS;
+    run_end(&r);
+    identities_clear(&t);
+    free(map);
     return same;
 }
 
@@ -494,18 +363,17 @@ static char *nodes_spoken_of(const struct table *table, const struct program *p,
 /* Every change of every node of the formula breaks an equality, or nothing would tell. */
 static bool all_changes_tell(struct table *table, int to, const struct program *p, int wanted, const struct entry_part *part)
 {
-    struct target target = {.part = part};
     char *spoken = nodes_spoken_of(table, p, wanted);
     const char *silent = NULL;
-    for (target.node = 0; target.node <= wanted; target.node++)
-        for (target.change = CHANGE_SIGN; target.change < CHANGES && spoken[target.node] && silent == NULL; target.change++) {
-            struct node n = p->nodes[target.node];
+    for (int node = 0; node <= wanted; node++)
+        for (enum change change = CHANGE_SIGN; change < CHANGES && spoken[node] && silent == NULL; change++) {
+            struct node n = p->nodes[node];
             int instead;
-            if (!change_node(&n, target.change, &instead))
+            if (!change_node(&n, change, &instead))
                 continue;
             table->b->mutants++;
-            if (!breaks_by(table, target) && !is_equivalent(p, wanted, target.change, target.node))
-                silent = changes[target.change];
+            if (!breaks_by(table, change, node, NULL, part) && !is_equivalent(p, wanted, change, node))
+                silent = change_names[change];
         }
     free(spoken);
     return silent == NULL || BINDING_FAULT(table, item(table, "to", to), 0, "%s may be altered (%s) and every equality holds still",
@@ -517,10 +385,10 @@ static bool part_is_bound(struct table *table, int to, const struct entry_part *
 {
     const struct program *p = &part->formulas->program;
     const bool side = part->formulas != &part->section->corrected;
-    if (!breaks_by(table, (struct target){.change = CHANGE_ANY, .part = part}))
+    if (!breaks_by(table, CHANGE_ANY, -1, NULL, part))
         return BINDING_FAULT(table, item(table, "to", to), 0, "%s stands in no equality%s", part->name,
                              side ? " as a whole: a side is not shown" : "");
-    if (!side && !breaks_by(table, (struct target){.change = CHANGE_RESULT, .part = part}) && part->equation != NULL &&
+    if (!side && !breaks_by(table, CHANGE_RESULT, -1, NULL, part) && part->equation != NULL &&
         !is_equivalent(p, part->node, CHANGE_RESULT, part->node))
         return BINDING_FAULT(table, item(table, "to", to), 0, "%s may have the other sign and every equality holds still", part->name);
     return part->equation == NULL || (all_changes_tell(table, to, p, part->node, part) && (side || is_general(table, to, part)));
@@ -564,10 +432,8 @@ void step_bind(const struct derivations *d, const struct step *s, struct binding
 {
     struct table table = {.d = d, .s = s, .b = b};
     *b = (struct binding){.mutants = 0};
-    table_open(&table, &s->corrected, RUN_AT_POINT);
     if (no_tautology(&table) && nothing_beyond(&table) && all_used(&table) && all_shown(&table))
         all_wanted(&table);
-    table_close(&table);
 }
 
 bool step_holds(struct step *s)

@@ -103,12 +103,7 @@ static bool read_identities(struct identities *t, const struct scope *s)
         return node_error(s->given, 0, "missing show, expected a list of left = right");
     if (!is_texts(show, MOST_SHOWN))
         return false;
-    if (show->count == 0)
-        return node_error(show, 0, "expected at least one left = right");
-    for (int i = 0; i < show->count; i++)
-        if (!identities_show(t, s, &show->items[i]))
-            return false;
-    return identities_close(t, s);
+    return show->count > 0 ? identities_show(t, show) : node_error(show, 0, "expected at least one left = right");
 }
 
 /* A line says something, and something else than the equalities and lines before it. */
@@ -136,12 +131,10 @@ static bool read_lines(struct step *s, struct scope scope)
     scope.shared = s->node;
     if (s->line_map->count == 0)
         return node_error(s->line_map, 0, "expected at least one line");
-    bool fine = identities_open(&s->lines, &scope);
-    for (int i = 0; i < s->line_map->count; i++)
-        fine = fine && identities_show(&s->lines, &scope, &s->line_map->items[i]);
-    for (int i = 0; i < s->lines.shown_count; i++)
-        fine = fine && check_line(s, &s->lines.shown[i]);
-    return fine && identities_close(&s->lines, &scope);
+    bool fine = identities_open(&s->lines, &scope) && identities_show(&s->lines, s->line_map);
+    for (int i = 0; fine && i < s->lines.shown_count; i++)
+        fine = check_line(s, &s->lines.shown[i]);
+    return fine;
 }
 
 static bool read_step(struct derivations *d, const struct yaml *n)

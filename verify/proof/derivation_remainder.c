@@ -207,11 +207,11 @@ static const struct field remainder_fields[] = {
 /* The formula is over the names of the step, whose own program stays as it is. */
 static bool read_remainder(const struct scope *s, const struct identities *t, const struct yaml *item, struct remainder *m)
 {
-    struct identities copy = {.sheet_inputs = t->sheet_inputs};
+    struct identities copy = {.scope = *s, .sheet_inputs = t->sheet_inputs};
     if (!fields_read(item, remainder_fields, m))
         return false;
     program_copy(&copy.program, &t->program);
-    const int node = identities_formula(&copy, s, under(item, "of"));
+    const int node = identities_formula(&copy, under(item, "of"));
     if (node >= 0)
         remainder_init(m, &copy.program, node);
     identities_clear(&copy);

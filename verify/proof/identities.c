@@ -95,7 +95,10 @@ static int signs_of(struct run *r, int i)
 
 /* ---- values ---- */
 
-/* At a point each variable is a prime of its own, the larger the earlier it is known; of an angle it is the tangent of the half. */
+/*
+ * At a point each variable is a prime of its own, the larger the earlier it is known; of an angle it is the tangent of the half, and one
+ * over the prime within a quarter turn.
+ */
 static void set_input(struct run *r, struct symbolic *z, int i)
 {
     const struct node *n = &r->t->program.nodes[i];
@@ -104,6 +107,8 @@ static void set_input(struct run *r, struct symbolic *z, int i)
     SCOPE(fmpq, prime);
     const fmpq *point = r->at_point ? prime : NULL;
     fmpq_set_ui(prime, n_nth_prime((ulong)(variable < r->variables ? r->variables - variable : variable + 1) + 2), 1);
+    if (own && r->t->variables[i].quarter_turn)
+        fmpq_inv(prime, prime);
     if (own ? r->t->variables[i].angle : fmpq_is_one(&n->number))
         symbolic_set_angle(z, variable, point);
     else
@@ -135,14 +140,23 @@ static const struct symbolic *value_of(struct run *r, int i)
     return z;
 }
 
-void run_extend(struct run *r)
+static void forget_nodes(struct run *r)
 {
-    r->nodes = xrealloc(r->nodes, (size_t)r->t->program.count, sizeof *r->nodes);
-    while (r->count < r->t->program.count)
+    while (r->count > 0)
+        if (r->nodes[--r->count].done)
+            arithmetic_symbolic.clear(&r->nodes[r->count].value);
+}
+
+void run_turn_to(struct run *r, const struct identities *altered)
+{
+    forget_nodes(r);
+    r->t = altered;
+    r->nodes = xrealloc(r->nodes, (size_t)altered->program.count, sizeof *r->nodes);
+    while (r->count < altered->program.count)
         r->nodes[r->count++] = (struct known){.done = false};
 }
 
-/* Inputs that something shown rests on are variables, the others are not there. */
+/* Inputs that something shown rests on are variables, the others are not there: but by an alteration any may be. */
 void run_begin(struct run *r, const struct identities *t, slong terms, enum manner manner, slong more)
 {
     slong functions = 0;
@@ -150,39 +164,17 @@ void run_begin(struct run *r, const struct identities *t, slong terms, enum mann
     r->variable = xrealloc(NULL, (size_t)t->program.inputs + 1, sizeof *r->variable);
     for (int i = 0; i < t->program.count; i++) {
         if (i < t->program.inputs)
-            r->variable[i] = t->needed[i] ? r->variables++ : -1;
+            r->variable[i] = manner != RUN_STRICT || t->needed[i] ? r->variables++ : -1;
         functions += t->program.nodes[i].op >= OPERATOR_SQRT;
     }
-    run_extend(r);
     const slong room = manner == RUN_STRICT ? 0 : 2 * functions; /* those that are altered are functions again */
     symbolic_begin(r->at_point ? 0 : r->variables + more, room);
-}
-
-void run_keep(struct run *r, int count)
-{
-    for (int i = 0; i < count; i++)
-        if (r->t->needed[i])
-            value_of(r, i);
-    symbolic_keep();
-}
-
-/* Of nodes that are no longer there. */
-static void clear_from(struct run *r, int first)
-{
-    while (r->count > first)
-        if (r->nodes[--r->count].done)
-            arithmetic_symbolic.clear(&r->nodes[r->count].value);
-}
-
-void run_forget(struct run *r)
-{
-    clear_from(r, r->t->program.count);
-    symbolic_forget();
+    run_turn_to(r, t);
 }
 
 void run_end(struct run *r)
 {
-    clear_from(r, 0);
+    forget_nodes(r);
     symbolic_end();
     free(r->nodes);
     free(r->variable);
@@ -393,7 +385,7 @@ static void prove_to(const struct identities *t, slong terms, bool further, bool
             p->evidence = tell_difference(&r, e, &f);
         }
     }
-    for (int i = 0; i < t->root_count && !t->shared && !further; i++)
+    for (int i = 0; i < t->root_count && t->scope.shared == NULL && !further; i++)
         if (!symbolic_root_used(i))
             proof_fails(p, t->roots[i].at, "square root %s is the root of nothing shown", t->roots[i].text);
     run_end(&r);

@@ -8,6 +8,7 @@
 #define CT_IDENTITIES_H
 
 #include "formula/typeset.h"
+#include "proof/alteration.h"
 #include "sheet/sheet.h"
 #include "text/tree.h"
 
@@ -40,29 +41,8 @@ struct use {
     const struct section *section;
     const struct formulas *formulas; /* the section's, as printed too, or a relation's */
     int part;                        /* the node in that program    */
-    int node, first;                 /* what it became: a node, of those from `first` on */
-    int *copy;                       /* what each node of that program became; older than first, it was bound */
-};
-
-/* A rate(): of a node; by[i] is the rate of node i of those before `first`, -1: none of its own; the nodes from `first` to the result. */
-struct rate {
-    int of, first, result;
-    int *by;
-};
-
-struct identities {
-    struct program program;
-    struct variable *variables; /* of its inputs */
-    struct equality *shown;
-    struct root *roots;
-    struct use *uses;
-    struct rate *rates;
-    int shown_count, root_count, use_count, rate_count;
-    int order;                  /* the highest power of epsilon that is compared; -1: exact */
-    int sheet_inputs;           /* of its inputs: those that are the sheet's, before those of its own */
-    bool shared;                /* what is given serves others too: not all need serve here */
-    struct tex lets;            /* ", C2 = 0": quantities of the sheet that are bound to a formula of their own */
-    char *needed;               /* needed[i]: something shown rests on node i */
+    int node;                        /* what it became          */
+    int *copy;                       /* what each node of that program became */
 };
 
 /* Principles and properties: sections that have formulas, but no equation number. */
@@ -70,6 +50,33 @@ struct definitions {
     struct section *sections;
     struct quantity (*outputs)[MOST_OUTPUTS]; /* what the sections' outputs point to */
     int count;
+};
+
+/* What the names of formulas may stand for, and where they are written. */
+struct scope {
+    const struct sheet *sheet;
+    const struct definitions *definitions;
+    const struct yaml *given;              /* the mapping; NULL: everything is free   */
+    const struct yaml *shared;             /* of what it does not say; then not all need serve here. NULL: none */
+    const char *const *names;              /* further free names                      */
+    int name_count;
+    const struct alteration *altered;      /* what is made of formulas that are taken; NULL: nothing */
+};
+
+struct identities {
+    struct scope scope;         /* of which they are read, */
+    const struct yaml *show;    /* and what they show      */
+    struct program program;
+    struct variable *variables; /* of its inputs */
+    struct equality *shown;
+    struct root *roots;
+    struct use *uses;
+    int shown_count, root_count, use_count;
+    int last_rate;              /* the node that the last rate() became */
+    int order;                  /* the highest power of epsilon that is compared; -1: exact */
+    int sheet_inputs;           /* of its inputs: those that are the sheet's, before those of its own */
+    struct tex lets;            /* ", C2 = 0": quantities of the sheet that are bound to a formula of their own */
+    char *needed;               /* needed[i]: something shown rests on node i */
 };
 
 /* NULL: there is none of that id; nor in the sheet. */
@@ -80,29 +87,29 @@ const struct section *section_or_definition(const struct sheet *sheet, const str
 const struct relation *relation_find(const struct sheet *sheet, const char *number, const char *index,
                                      const struct section **section);
 
-/* What the names of formulas may stand for, and where they are written. */
-struct scope {
-    const struct sheet *sheet;
-    const struct definitions *definitions;
-    const struct yaml *given;              /* the mapping; NULL: everything is free   */
-    const struct yaml *shared;             /* of what it does not say; then not all need serve here. NULL: none */
-    const char *const *names;              /* further free names                      */
-    int name_count;
-};
-
-/* Of an open scope, a formula each: its node, -1 after a complaint; an equality each, false after a complaint. */
+/* Of an open scope, a formula each: its node, -1 after a complaint. */
 bool identities_open(struct identities *t, const struct scope *s);
-int identities_formula(struct identities *t, const struct scope *s, const struct yaml *node);
-bool identities_show(struct identities *t, const struct scope *s, const struct yaml *node); /* a = b, or a = b = c */
+int identities_formula(struct identities *t, const struct yaml *node);
+
+/*
+ * What they show, a = b or a = b = c, or a list or mapping of such, after which the scope is closed: what is declared and defined
+ * serves something, and square roots are where they are needed. False after a complaint.
+ */
+bool identities_show(struct identities *t, const struct yaml *show);
+void identities_clear(struct identities *t);
+
+/* The first, second ... text of a list, or the one text that stands for a list; NULL: there is no further one. */
+const struct yaml *text_at(const struct yaml *node, int i);
+
+/* The same identities read once more, with formulas that are altered, but for their square roots. */
+void identities_alter(struct identities *altered, const struct identities *t, const struct alteration *a);
+
 /* Whether a name is a free one that the sheet does not have. */
 bool is_free_name(const struct identities *t, const char *name);
 
 /* The next of these signs outside brackets, or the end of the text; whether two texts are the same but for blanks. */
 const char *side_end(const char *text, const char *signs);
 bool same_text(const char *a, const char *a_end, const char *b);
-/* What is declared and defined serves something (unless altered), and square roots are where they are needed. */
-bool identities_close(struct identities *t, const struct scope *s);
-void identities_clear(struct identities *t);
 
 /* The keys of the mapping, for a table of fields that has others too. */
 #define IDENTITIES_FIELDS \
@@ -110,7 +117,7 @@ void identities_clear(struct identities *t);
     {.key = "order"}, {.key = "rates"}, {.key = "square roots"}
 
 /* The node of a formula that stands `shift` characters into a scalar; -1 after a complaint. */
-int identities_text(struct identities *t, const struct scope *s, const struct yaml *node, const char *text, size_t shift);
+int identities_text(struct identities *t, const struct yaml *node, const char *text, size_t shift);
 
 /* Where the identities hold: "Omega > 0, psi any angle". Text to be freed. */
 char *identities_domain(const struct identities *t);
@@ -150,10 +157,8 @@ enum manner { RUN_STRICT, RUN_LOOSE, RUN_AT_POINT }; /* strict and loose: see sy
 void run_begin(struct run *r, const struct identities *t, slong terms, enum manner manner, slong more);
 void run_end(struct run *r);
 
-/* What the program's first nodes are is worked out; nodes were taken away again, and what was known of them goes; nodes were appended. */
-void run_keep(struct run *r, int count);
-void run_forget(struct run *r);
-void run_extend(struct run *r);
+/* From now on of these nodes: the same identities, altered. What is a square root stays one. */
+void run_turn_to(struct run *r, const struct identities *altered);
 
 /* A node becomes a square root, if it is proved to be positive. */
 bool run_root(struct run *r, int node);

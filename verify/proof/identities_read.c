@@ -18,12 +18,6 @@
 
 enum { MOST_FURTHER_NAMES = 64, MOST_RATES = 10000 };
 
-/* Both halves of what a formula is read with. */
-struct reading {
-    struct identities *t;
-    const struct scope *scope;
-};
-
 static const struct yaml *scope_given(const struct scope *s, const char *key)
 {
     const struct yaml *own = under(s->given, key);
@@ -146,9 +140,9 @@ static bool are_rates(const struct yaml *rates)
 }
 
 /* Every name that moves, and what it moves by, is known in the end, and goes by its own name. */
-static bool check_rates(const struct identities *t, const struct scope *s)
+static bool check_rates(const struct identities *t)
 {
-    const struct yaml *rates = scope_given(s, "rates");
+    const struct yaml *rates = scope_given(&t->scope, "rates");
     char rate[LONGEST_NAME + 8];
     for (int i = 0; rates != NULL && i < rates->count; i++) {
         const struct yaml *by = &rates->items[i];
@@ -156,7 +150,7 @@ static bool check_rates(const struct identities *t, const struct scope *s)
             if (program_find(&t->program, k == 0 ? by->key : by->text) < 0)
                 return node_error(by, k == 0 ? AT_KEY : 0, "unknown symbol '%s', expected name: its rate",
                                   k == 0 ? by->key : by->text);
-        if (rate_name(s->sheet, by->key, rate) && strcmp(rate, by->text) != 0)
+        if (rate_name(t->scope.sheet, by->key, rate) && strcmp(rate, by->text) != 0)
             return node_error(by, 0, "the rate of %s is %s in the sheet", by->key, rate);
     }
     return true;
@@ -164,40 +158,39 @@ static bool check_rates(const struct identities *t, const struct scope *s)
 
 static int read_rate(struct parser *p)
 {
-    const struct reading *r = p->context;
-    const struct scope *s = r->scope;
+    struct identities *t = p->context;
+    const struct scope *s = &t->scope;
     const struct yaml *rates = scope_given(s, "rates");
     const char *begin = p->at;
     char name[LONGEST_NAME + 8];
     p->at++; /* the bracket, without which it were a name */
-    struct rate made = {.of = parse_sum(p)};
-    made.first = p->program->count; /* with what was read */
-    if (made.of < 0)
+    const int of = parse_sum(p), first = p->program->count; /* behind what was read */
+    if (of < 0)
         return -1;
     if (!parse_symbol(p, ')'))
         return parse_refuse(p, "')' or an operator");
-    if (made.first > MOST_RATES)
+    if (first > MOST_RATES && s->altered == NULL)
         return parse_refuse(p, "fewer rates of rates");
     const char *still = NULL; /* the sheet knows its rate, and nothing here does */
-    made.by = xrealloc(NULL, (size_t)made.first, sizeof *made.by);
-    for (int i = 0; i < made.first; i++)
-        made.by[i] = -1;
+    int *by = xrealloc(NULL, (size_t)first, sizeof *by);
+    for (int i = 0; i < first; i++)
+        by[i] = -1;
     for (int i = 0; rates != NULL && i < rates->count; i++) {
         const int moving = program_find(p->program, rates->items[i].key);
         if (moving >= 0)
-            made.by[moving] = program_find(p->program, rates->items[i].text);
+            by[moving] = program_find(p->program, rates->items[i].text);
     }
-    char *needed = program_needs(p->program, made.of, made.by);
+    char *needed = program_needs(p->program, of, by);
     for (int i = 0; i < s->sheet->quantity_count; i++) {
         const char *own = s->sheet->quantities[i].name;
-        if (needed[i] && made.by[i] < 0 && rate_name(s->sheet, own, name))
+        if (needed[i] && by[i] < 0 && rate_name(s->sheet, own, name))
             still = own;
     }
     free(needed);
-    made.result = program_own(p->program, made.first, program_derivative(p->program, made.of, made.by, made.first));
-    *APPENDED(r->t->rates, r->t->rate_count) = made;
+    t->last_rate = program_own(p->program, first, program_derivative(p->program, of, by, first));
+    free(by);
     if (still == NULL)
-        return made.result;
+        return t->last_rate;
     p->at = begin;
     rate_name(s->sheet, still, name);
     message_set(p->why, "rate() of what rests on %s, expected %s: %s among the rates", still, still, name);
@@ -253,13 +246,13 @@ static int read_bindings(struct parser *p, const struct program *from, int *stan
  * What no binding names: inputs by what is in scope, named subexpressions by free names of one's own. The first input
  * that is wanted and that nothing is bound to; NULL: there is none.
  */
-static const char *bind_names(const struct reading *r, const struct program *from, int wanted, int *stand_in)
+static const char *bind_names(const struct identities *t, const struct program *from, int wanted, int *stand_in)
 {
     const char *missing = NULL;
     for (int i = 0; i < from->named; i++) {
         const int node = from->names[i].node;
-        if ((node < from->inputs || is_free_name(r->t, from->names[i].text)) && stand_in[node] < 0)
-            stand_in[node] = program_find(&r->t->program, from->names[i].text);
+        if ((node < from->inputs || is_free_name(t, from->names[i].text)) && stand_in[node] < 0)
+            stand_in[node] = program_find(&t->program, from->names[i].text);
     }
     char *needed = program_needs(from, wanted, stand_in);
     for (int i = 0; i < from->inputs && missing == NULL; i++)
@@ -279,26 +272,30 @@ static int *nothing_bound(const struct program *from)
 /* Copies the part of a program into the identities', and remembers what became of it: of the map, which it keeps. */
 static int take_part(struct parser *p, const struct use *u, int *map)
 {
-    const struct reading *r = p->context;
-    struct identities *t = r->t;
+    struct identities *t = p->context;
+    const struct alteration *altered = t->scope.altered;
     const struct program *from = &u->formulas->program;
-    const char *missing = bind_names(r, from, u->part, map);
+    const char *missing = bind_names(t, from, u->part, map);
     const int first = t->program.count;
+    const bool as_it_is = altered == NULL || !altered->uses[t->use_count];
     struct use *own = APPENDED(t->uses, t->use_count);
     *own = *u;
-    own->first = first;
     own->copy = map;
     if (missing != NULL) {
         message_set(p->why, "nothing here is called '%s', expected %s = ... in brackets", missing, missing);
         return -1;
     }
-    own->node = program_own(&t->program, first, program_copy_node(&t->program, from, u->part, map));
+    int like = 0; /* all that is taken of one formula has the free numbers of the first */
+    while (t->uses[like].formulas != u->formulas || t->uses[like].part != u->part)
+        like++;
+    own->node = program_own(&t->program, first, as_it_is ? program_copy_node(&t->program, from, u->part, map)
+                                                         : alteration_copy(&t->program, from, u->part, altered, 2 * like, map));
     return own->node;
 }
 
 static int read_side(struct parser *p, bool right)
 {
-    const struct reading *r = p->context;
+    const struct identities *t = p->context;
     const char *begin = p->at;
     char number[LONGEST_NAME + 1], index[LONGEST_NAME + 1] = "1";
     struct use u;
@@ -307,7 +304,7 @@ static int read_side(struct parser *p, bool right)
         return -1;
     if (!parse_symbol(p, ')'))
         return parse_refuse(p, "',' or ')'");
-    const struct relation *relation = relation_find(r->scope->sheet, number, index, &u.section);
+    const struct relation *relation = relation_find(t->scope.sheet, number, index, &u.section);
     if (relation == NULL) {
         p->at = begin;
         message_set(p->why, "unknown relation %s of (%s), expected one of the sheet", index, number);
@@ -359,8 +356,8 @@ const struct section *section_or_definition(const struct sheet *sheet, const str
 
 static int read_output(struct parser *p, const char *id)
 {
-    const struct reading *r = p->context;
-    struct use u = {.section = section_or_definition(r->scope->sheet, r->scope->definitions, id)};
+    const struct identities *t = p->context;
+    struct use u = {.section = section_or_definition(t->scope.sheet, t->scope.definitions, id)};
     char name[LONGEST_NAME + 1], whole[2 * LONGEST_NAME + 2];
     const char *point = p->at++;
     if (!parse_word(p, name))
@@ -399,15 +396,14 @@ static int read_reference(struct parser *p, const char *name)
     return unknown_in_formula(p, name, "function", "rate, left, right, sqrt, sin, cos, exp or atan2");
 }
 
-int identities_text(struct identities *t, const struct scope *s, const struct yaml *node, const char *text, size_t shift)
+int identities_text(struct identities *t, const struct yaml *node, const char *text, size_t shift)
 {
-    struct reading r = {t, s};
-    return program_read(&t->program, node, text, shift, read_reference, &r);
+    return program_read(&t->program, node, text, shift, read_reference, t);
 }
 
-int identities_formula(struct identities *t, const struct scope *s, const struct yaml *node)
+int identities_formula(struct identities *t, const struct yaml *node)
 {
-    return is_text(node, "a formula") ? identities_text(t, s, node, node->text, 0) : -1;
+    return is_text(node, "a formula") ? identities_text(t, node, node->text, 0) : -1;
 }
 
 const char *side_end(const char *text, const char *signs)
@@ -438,7 +434,8 @@ static char *text_part(const char *from, const char *end)
     return part;
 }
 
-bool identities_show(struct identities *t, const struct scope *s, const struct yaml *node)
+/* a = b, or a = b = c */
+static bool show_one(struct identities *t, const struct yaml *node)
 {
     int left = -1;
     if (!is_text(node, "left = right"))
@@ -448,7 +445,7 @@ bool identities_show(struct identities *t, const struct scope *s, const struct y
     for (const char *before = NULL, *from = node->text, *end; from != NULL; from = *end == '\0' ? NULL : end + 1) {
         end = side_end(from, "=");
         char *side = text_part(from, end);
-        const int right = identities_text(t, s, node, side, (size_t)(from - node->text));
+        const int right = identities_text(t, node, side, (size_t)(from - node->text));
         free(side);
         if (right < 0)
             return false;
@@ -464,35 +461,39 @@ bool identities_show(struct identities *t, const struct scope *s, const struct y
 
 /* ---- definitions ---- */
 
-/* A definition that is a formula of the sheet, or a rate, and nothing beside: it restricts nothing that the sheet would not. */
-static bool takes_formula(const struct identities *t, int node)
+/* A definition that is a formula of the sheet, or of a principle, or a rate, and nothing beside. */
+static bool takes_formula(const struct identities *t, int node, bool of_sheet)
 {
     const struct use *last = t->use_count > 0 ? &t->uses[t->use_count - 1] : NULL;
-    return (last != NULL && last->node == node && last->section->numbers > 0) ||
-           (t->rate_count > 0 && t->rates[t->rate_count - 1].result == node);
+    return node == t->last_rate || (last != NULL && last->node == node && (!of_sheet || last->section->numbers > 0));
 }
 
-static bool read_let(struct identities *t, const struct scope *s)
+static bool read_let(struct identities *t)
 {
     enum { SHORT = 40 };
-    const struct yaml *let = scope_given(s, "let");
+    const struct alteration *altered = t->scope.altered;
+    const struct yaml *let = scope_given(&t->scope, "let");
     if (let != NULL && !is_map(let))
         return false;
     for (int i = 0; let != NULL && i < let->count; i++) {
         const struct yaml *definition = &let->items[i];
-        const int node = identities_formula(t, s, definition);
+        const int first = t->program.count;
+        int node = identities_formula(t, definition);
         if (node < 0)
             return false;
+        if (altered != NULL && altered->definitions && node >= first && !takes_formula(t, node, false))
+            node = any_formula(&t->program, node, 2 * i + 1);
         program_name(&t->program, node, definition->key);
-        if (quantity_find(s->sheet, definition->key) != NULL && !takes_formula(t, node))
+        /* what restricts nothing that the sheet would not needs no word */
+        if (quantity_find(t->scope.sheet, definition->key) != NULL && !takes_formula(t, node, true))
             tex_add(&t->lets, strlen(definition->text) < SHORT ? ", %s = %s" : ", %s by its definition", definition->key, definition->text);
     }
     return true;
 }
 
-static bool read_square_roots(struct identities *t, const struct scope *s)
+static bool read_square_roots(struct identities *t)
 {
-    const struct yaml *roots = scope_given(s, "square roots");
+    const struct yaml *roots = scope_given(&t->scope, "square roots");
     if (roots == NULL)
         return true;
     if (!is_texts(roots, MOST_FURTHER_NAMES))
@@ -501,7 +502,7 @@ static bool read_square_roots(struct identities *t, const struct scope *s)
     for (; t->root_count < roots->count; t->root_count++) {
         const struct yaml *item = &roots->items[t->root_count];
         struct root *root = &t->roots[t->root_count];
-        *root = (struct root){.text = item->text, .at = item, .node = identities_formula(t, s, item)};
+        *root = (struct root){.text = item->text, .at = item, .node = identities_formula(t, item)};
         if (root->node < 0)
             return false;
     }
@@ -510,9 +511,9 @@ static bool read_square_roots(struct identities *t, const struct scope *s)
 
 bool identities_open(struct identities *t, const struct scope *s)
 {
-    *t = (struct identities){.shared = s->shared != NULL};
+    *t = (struct identities){.scope = *s, .last_rate = -1};
     program_init(&t->program);
-    return are_rates(scope_given(s, "rates")) && read_order(t, s) && read_declarations(t, s) && read_let(t, s) && read_square_roots(t, s);
+    return are_rates(scope_given(s, "rates")) && read_order(t, s) && read_declarations(t, s) && read_let(t) && read_square_roots(t);
 }
 
 /* ---- what serves nothing ---- */
@@ -529,8 +530,9 @@ static void mark_needed(struct identities *t)
         program_mark(&t->program, t->roots[i].node, NULL, t->needed);
 }
 
-static bool all_needed(const struct identities *t, const struct scope *s)
+static bool all_needed(const struct identities *t)
 {
+    const struct scope *s = &t->scope;
     const struct program *p = &t->program;
     for (int i = 0; i < DECLARATIONS; i++) {
         const struct yaml *names = scope_given(s, declarations[i].key);
@@ -552,12 +554,34 @@ static bool all_needed(const struct identities *t, const struct scope *s)
     return true;
 }
 
-bool identities_close(struct identities *t, const struct scope *s)
+const struct yaml *text_at(const struct yaml *node, int i)
 {
-    if (!check_rates(t, s))
+    return node->text != NULL ? (i == 0 ? node : NULL) : i < node->count ? &node->items[i] : NULL;
+}
+
+static bool show_each(struct identities *t, const struct yaml *show)
+{
+    bool fine = true;
+    t->show = show;
+    for (int i = 0; fine && text_at(show, i) != NULL; i++)
+        fine = show_one(t, text_at(show, i));
+    return fine;
+}
+
+bool identities_show(struct identities *t, const struct yaml *show)
+{
+    if (!show_each(t, show) || !check_rates(t))
         return false;
     mark_needed(t);
-    return s->shared != NULL || all_needed(t, s);
+    return t->scope.shared != NULL || all_needed(t);
+}
+
+void identities_alter(struct identities *altered, const struct identities *t, const struct alteration *a)
+{
+    struct scope s = t->scope;
+    s.altered = a;
+    if (identities_open(altered, &s)) /* what could be read can be read once more */
+        show_each(altered, t->show);
 }
 
 void identities_clear(struct identities *t)
@@ -570,10 +594,7 @@ void identities_clear(struct identities *t)
     free(t->roots);
     for (int i = 0; i < t->use_count; i++)
         free(t->uses[i].copy);
-    for (int i = 0; i < t->rate_count; i++)
-        free(t->rates[i].by);
     free(t->uses);
-    free(t->rates);
     free(t->needed);
     tex_clear(&t->lets);
 }
