@@ -42,61 +42,47 @@ static void *zeros(int count, size_t size)
 
 /* ---- monomials ---- */
 
-/* The monomial of that degree with those exponents: each degree's stand from e_1^d down */
-static int find_monomial(const struct space *s, int degree, const unsigned char *exponent)
-{
-    int low = s->first[degree], high = s->first[degree + 1];
-    while (high - low > 1) {
-        const int middle = (low + high) / 2;
-        if (memcmp(s->exponent + middle * s->variables, exponent, (size_t)s->variables) >= 0)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
+/* A monomial is its parent times e_last; its own children follow one another, from itself times e_last on. */
+struct origin {
+    int parent, last, children;
+};
 
-/* The monomials of degree d + 1: each of degree d times each e_i from its last one on */
-static void next_degree(struct space *s, int d)
+/* Monomial b, not one of the last degree, times e_i */
+static int times_unknown(const struct origin *from, int b, int i)
 {
-    const int n = s->variables;
-    int size = s->first[d + 1];
-    for (int b = s->first[d]; b < s->first[d + 1]; b++) {
-        int last = d == 0 ? 0 : n - 1;
-        while (d > 0 && s->exponent[b * n + last] == 0)
-            last--;
-        for (int i = last; i < n; i++, size++) {
-            memcpy(s->exponent + size * n, s->exponent + b * n, (size_t)n);
-            s->exponent[size * n + i]++;
-        }
-    }
-    s->first[d + 2] = size;
+    if (i >= from[b].last)
+        return from[b].children + i - from[b].last;
+    return times_unknown(from, times_unknown(from, from[b].parent, i), from[b].last);
 }
 
 void space_init(struct space *s, int variables, int degree)
 {
     const int n = variables;
-    *s = (struct space){.variables = n, .degree = n == 0 ? 0 : degree, .first = {0, 1}};
-    s->size = 1;
+    *s = (struct space){.variables = n, .degree = n == 0 ? 0 : degree, .size = 1, .first = {0, 1}};
+    int most = 1;
     for (int d = 1; d <= s->degree; d++)
-        s->size = s->size * (n + d) / d;
-    s->exponent = zeros(s->size * n + 1, 1);
-    for (int d = 0; d < s->degree; d++)
-        next_degree(s, d);
-    s->product = zeros(s->size, sizeof *s->product);
-    unsigned char *sum = zeros(n + 1, 1);
-    for (int a = 0, degree_a = 0; a < s->size; a++) {
-        degree_a += a == s->first[degree_a + 1];
-        const int most = s->first[s->degree - degree_a + 1];
-        s->product[a] = zeros(most, sizeof **s->product);
-        for (int b = 0, degree_b = 0; b < most; b++) {
-            degree_b += b == s->first[degree_b + 1];
-            for (int i = 0; i < n; i++)
-                sum[i] = s->exponent[a * n + i] + s->exponent[b * n + i];
-            s->product[a][b] = find_monomial(s, degree_a + degree_b, sum);
+        most = most * (n + d) / d;
+    s->exponent = zeros(most * n + 1, 1);
+    s->product = zeros(most, sizeof *s->product);
+    struct origin *from = zeros(most, sizeof *from);
+    for (int b = 0, d = 0; d < s->degree; b++) {
+        from[b].children = s->size;
+        for (int i = from[b].last; i < n; i++, s->size++) {
+            from[s->size] = (struct origin){.parent = b, .last = i};
+            memcpy(s->exponent + s->size * n, s->exponent + b * n, (size_t)n);
+            s->exponent[s->size * n + i]++;
         }
+        if (b + 1 == s->first[d + 1])
+            s->first[++d + 1] = s->size;
     }
-    free(sum);
+    for (int a = 0, d = 0; a < s->size; a++) {
+        d += a == s->first[d + 1];
+        const int beyond = s->first[s->degree - d + 1];
+        s->product[a] = zeros(beyond, sizeof **s->product);
+        for (int b = 0; b < beyond; b++)
+            s->product[a][b] = a == 0 ? b : times_unknown(from, s->product[from[a].parent][b], from[a].last);
+    }
+    free(from);
 }
 
 void space_clear(struct space *s)
