@@ -49,7 +49,7 @@ static const double LONGEST = 0.25; /* step, radians: at rest the series propose
 
 /* Part of the set, and where it stands */
 struct piece {
-    struct model model[SET_MODELS];
+    struct model *model; /* SET_MODELS                                 */
     struct lohner rest; /* its centre is 0                             */
     arf_t now;          /* radians of orbit, exact                     */
     slong k;            /* rows that hold it                           */
@@ -60,7 +60,7 @@ struct piece {
 struct follower {
     const struct flow_set *set;
     struct expansion of;
-    struct model end[FLOW_STATE], at; /* of the step's end, and of an answer */
+    struct model *end, at; /* of the states at the step's end, and of an answer */
     int direction;
 };
 
@@ -70,11 +70,9 @@ struct follower {
 static void piece_init(struct piece *p, const struct model *model)
 {
     VECTOR(arb, off, FLOW_STATE);
-    *p = (struct piece){.split = -1};
-    for (int v = 0; v < SET_MODELS; v++) {
-        model_init(&p->model[v], model->space);
+    *p = (struct piece){.split = -1, .model = models_init(SET_MODELS, model->space)};
+    for (int v = 0; v < SET_MODELS; v++)
         model_set(&p->model[v], model + v);
-    }
     for (int v = 0; v < FLOW_STATE; v++) {
         mag_set_d(arb_radref(off + v), p->model[v].rest);
         p->model[v].rest = 0;
@@ -86,8 +84,7 @@ static void piece_init(struct piece *p, const struct model *model)
 
 static void piece_clear(struct piece *p)
 {
-    for (int v = 0; v < SET_MODELS; v++)
-        model_clear(&p->model[v]);
+    models_clear(p->model);
     lohner_clear(&p->rest);
     arf_clear(p->now);
 }
@@ -135,8 +132,7 @@ static void follower_init(struct follower *f, const struct flow_set *set, int di
     f->direction = direction;
     expansion_init(&f->of, &closed_loop, set->how.order != 0 ? set->how.order : SET_ORDER,
                    set->how.derivative_order != 0 ? set->how.derivative_order : DERIVATIVE_ORDER, &set->space, &set->linear);
-    for (int j = 0; j < FLOW_STATE; j++)
-        model_init(&f->end[j], &set->space);
+    f->end = models_init(FLOW_STATE, &set->space);
     model_init(&f->at, &set->space);
     for (int i = 0; i < 3; i++) { /* the constants 1, 2, 3 */
         SCOPE(arb, x);
@@ -149,8 +145,7 @@ static void follower_init(struct follower *f, const struct flow_set *set, int di
 static void follower_clear(struct follower *f)
 {
     expansion_clear(&f->of);
-    for (int j = 0; j < FLOW_STATE; j++)
-        model_clear(&f->end[j]);
+    models_clear(f->end);
     model_clear(&f->at);
 }
 
@@ -252,20 +247,19 @@ static void row(struct follower *f, int v, const arb_t s, double step)
 /* Q_ref + dQ, in units of the set's, linear in the unknowns but for a rest; false where it may be >= 0 */
 static bool charge_row(arb_t x, struct follower *f, const struct piece *p, const arb_t s, double step)
 {
-    MODEL(R, &f->set->linear);
-    MODEL(q, &f->set->linear);
-    MODEL(square, &f->set->linear);
+    MODEL(product, &f->set->linear);
+    MODEL(factor, &f->set->linear);
     MODEL(length, &f->set->linear);
     row(f, JET_CHARGE, s, step);
-    model_set(&R, &f->at);
+    model_set(&product, &f->at);
     row(f, JET_STATES - 1, s, step);
-    model_set(&q, &f->at);
-    model_dot(&square, false, 1, &q, &q, 1);
-    model_inverse_root(&length, &square);
-    model_dot(&square, false, 1, &R, &length, 1);
-    model_set(&q, &p->model[SET_CHARGE]);
-    model_dot(&R, false, 1, &square, &q, 1);
-    model_range(x, &R);
+    model_set(&factor, &f->at); /* q */
+    model_product(&factor, &factor, &factor);
+    model_inverse_root(&length, &factor);
+    model_product(&product, &product, &length);
+    model_set(&factor, &p->model[SET_CHARGE]);
+    model_product(&product, &product, &factor);
+    model_range(x, &product);
     return arb_is_negative(x);
 }
 
@@ -441,8 +435,7 @@ void flow_set_init(struct flow_set *s, int variables, int degree)
     *s = (struct flow_set){.most_pieces = 1, .threads = (int)FLINT_MAX(1, FLINT_MIN(MOST_THREADS, sysconf(_SC_NPROCESSORS_ONLN)))};
     space_init(&s->space, variables, degree);
     space_init(&s->linear, variables, 1);
-    for (int i = 0; i < SET_MODELS; i++)
-        model_init(&s->model[i], &s->space);
+    s->model = models_init(SET_MODELS, &s->space);
     arb_init(s->Omega);
     arb_init(s->unit);
     arb_init(s->charge);
@@ -450,8 +443,7 @@ void flow_set_init(struct flow_set *s, int variables, int degree)
 
 void flow_set_clear(struct flow_set *s)
 {
-    for (int i = 0; i < SET_MODELS; i++)
-        model_clear(&s->model[i]);
+    models_clear(s->model);
     space_clear(&s->space);
     space_clear(&s->linear);
     arb_clear(s->Omega);

@@ -19,7 +19,7 @@ enum { MOST_THREADS = 16 };
 
 struct flow_set {
     struct space space, linear; /* of the states, and of degree 1 for the derivatives */
-    struct model model[SET_MODELS]; /* in units of taylor.h                           */
+    struct model *model;        /* SET_MODELS, in units of taylor.h                   */
     arb_t Omega, unit, charge;  /* of lengths, m, and of the charge product, C^2       */
     int most_pieces;            /* into which the set may be split: 1 for none         */
     int threads;                /* that follow them, as many as there are processors: the rows are the same however many */

@@ -105,6 +105,21 @@ void model_clear(struct model *m)
     free(m->c);
 }
 
+struct model *models_init(int count, const struct space *s)
+{
+    struct model *m = zeros(count, sizeof *m);
+    double *c = zeros(count * s->size, sizeof *c);
+    for (int i = 0; i < count; i++)
+        m[i] = (struct model){.space = s, .c = c + i * s->size};
+    return m;
+}
+
+void models_clear(struct model *m)
+{
+    free(m->c);
+    free(m);
+}
+
 static double norm(const struct model *x)
 {
     double sum = 0;
@@ -218,6 +233,13 @@ void model_dot(struct model *z, bool add, int sign, const struct model *x, const
         return;
     z->rest = upward(rest + (ldexp(count, degree) + 2) * U * size); /* (M1): at most 2^degree pairs make up a monomial */
     find_norms(z);
+}
+
+void model_product(struct model *z, const struct model *x, const struct model *y)
+{
+    MODEL(product, z->space);
+    model_dot(&product, false, 1, x, y, 1);
+    model_set(z, &product);
 }
 
 void model_scale(struct model *z, double factor)

@@ -32,6 +32,10 @@ void model_init(struct model *m, const struct space *s);
 void model_clear(struct model *m);
 #define MODEL(m, space) OWNED(model) m; model_init(&m, space)
 
+/* As many side by side, all 0 */
+struct model *models_init(int count, const struct space *s);
+void models_clear(struct model *m);
+
 /* What holds the ball, and all of x + radius e_i (i from 0). */
 void model_set_ball(struct model *z, const arb_t x);
 void model_set_variable(struct model *z, const arb_t x, const arb_t radius, int i);
@@ -41,6 +45,7 @@ void model_set(struct model *z, const struct model *x);
 
 /* z, or nothing where !add, plus sign sum_{j < count} x[j] y[-j]; z is none of them */
 void model_dot(struct model *z, bool add, int sign, const struct model *x, const struct model *y, int count);
+void model_product(struct model *z, const struct model *x, const struct model *y); /* z may be x or y */
 void model_scale(struct model *z, double factor);
 void model_widen(struct model *z, const mag_t by);
 

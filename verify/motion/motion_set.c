@@ -34,13 +34,6 @@ static void read_bounds(struct model *z, struct reader *r, enum scenario_name na
         model_set_variable(z, x, radius, r->known++);
 }
 
-static void times_model(struct model *z, const struct model *x, const struct model *y)
-{
-    MODEL(product, z->space);
-    model_dot(&product, false, 1, x, y, 1);
-    model_set(z, &product);
-}
-
 enum { M1, M2, LENGTH, FACTOR, AT_PSI, AT_THETA, AT_DL, AT_PSI_DOT, AT_THETA_DOT, AT_DL_DOT, SINE_PSI, COSINE_PSI, SINE, COSINE, ARM, MASSES, UNIT, ANGLE_MODELS };
 
 /*
@@ -59,9 +52,9 @@ static void place(struct model *state, struct model *m)
     MODEL(product, state->space);
     for (int i = 0; i < 4; i++)
         model_sine(m + SINE_PSI + i, m + (i < 2 ? AT_PSI : AT_THETA), i % 2);
-    times_model(m + AT_DL, m + AT_DL, m + ARM); /* arm L, by now */
+    model_product(m + AT_DL, m + AT_DL, m + ARM); /* arm L, by now */
     for (int d = 0; d < 3; d++)
-        times_model(m + rate[d], m + rate[d], m + (d == 0 ? ARM : AT_DL));
+        model_product(m + rate[d], m + rate[d], m + (d == 0 ? ARM : AT_DL));
     for (int d = 0; d < 3; d++)
         for (int i = 0; i < FLOW_HALF; i++) {
             model_dot(&product, false, e[d][i].sign, m + e[d][i].by, m + e[d][i].times, 1);
@@ -75,22 +68,20 @@ static void place(struct model *state, struct model *m)
 /* By taylor.h Q is R/q m1 unit^3 Omega^2/(k_c arm^2), arm = m2/(m1 + m2): lambda = arm length, and `force` is k lambda^2. */
 static void charge_model(struct model *charge, struct model *m, const struct model *force)
 {
-    times_model(charge, m + M1, m + LENGTH);
-    times_model(charge, charge, m + LENGTH);
-    times_model(m + M1, force, force);
+    model_product(charge, m + M1, m + LENGTH);
+    model_product(charge, charge, m + LENGTH);
+    model_product(m + M1, force, force);
     model_inverse_root(m + M2, m + M1);
-    times_model(charge, charge, m + M2);
+    model_product(charge, charge, m + M2);
 }
 
 /* In units of r_ref of the middles, or near it, and radians of orbit */
 static void models_of(struct flow_set *set, const struct scenario *s)
 {
-    struct model m[ANGLE_MODELS];
+    struct model *const m = models_init(ANGLE_MODELS, &set->space);
     struct reader r = {s, 0};
     FLOW_PARAMETERS(p);
     SCOPE(arb, one, mass, speed, square);
-    for (int i = 0; i < ANGLE_MODELS; i++)
-        model_init(&m[i], &set->space);
     scenario_parameters(&p, s, SET_BITS);
     arb_one(one);
     arb_add(mass, p.m1, p.m2, SET_BITS);
@@ -112,14 +103,14 @@ static void models_of(struct flow_set *set, const struct scenario *s)
     model_set_ball(hold, one);
     model_dot(m + MASSES, true, 1, hold, m + M2, 1);
     model_inverse_root(m + ARM, m + MASSES);
-    times_model(m + ARM, m + ARM, m + ARM);
-    times_model(m + ARM, m + ARM, m + M2);
-    times_model(lambda, m + ARM, m + LENGTH);
-    times_model(m + FACTOR, m + FACTOR, lambda);
-    times_model(m + FACTOR, m + FACTOR, lambda); /* k lambda^2, by now */
-    times_model(c1, c1, m + FACTOR);
-    times_model(c2, c2, m + FACTOR);
-    times_model(hold, m + FACTOR, lambda);
+    model_product(m + ARM, m + ARM, m + ARM);
+    model_product(m + ARM, m + ARM, m + M2);
+    model_product(lambda, m + ARM, m + LENGTH);
+    model_product(m + FACTOR, m + FACTOR, lambda);
+    model_product(m + FACTOR, m + FACTOR, lambda); /* k lambda^2, by now */
+    model_product(c1, c1, m + FACTOR);
+    model_product(c2, c2, m + FACTOR);
+    model_product(hold, m + FACTOR, lambda);
     model_scale(hold, 3);
 
     if (s->given[SET_x1]) {
@@ -138,8 +129,7 @@ static void models_of(struct flow_set *set, const struct scenario *s)
     arb_mul(set->charge, set->charge, square, SET_BITS);
     arb_mul(set->charge, set->charge, mass, SET_BITS);
     arb_div(set->charge, set->charge, p.k_c, SET_BITS);
-    for (int i = ANGLE_MODELS - 1; i >= 0; i--)
-        model_clear(&m[i]);
+    models_clear(m);
 }
 
 /* Whether the box is so wide, against the distance, that one degree more is worth its cost; of many unknowns that forbids more */

@@ -4,9 +4,6 @@
  */
 #include "motion/taylor.h"
 
-#include <stdlib.h>
-
-#include "text/message.h"
 #include "text/scope.h"
 
 enum { X, Y, Z, U, V, W, Q, G, S, A, D, R, P, ONE, TWO, THREE, C1, C2, LAMBDA, HOLD };
@@ -35,10 +32,8 @@ void jet_init(struct jet *jet, const struct system *system, slong order, const s
 {
     const slong each = order + 1, count = system->all * each;
     arb_ptr balls = space == NULL ? _arb_vec_init(count) : NULL;
-    struct model *models = space != NULL ? xrealloc(NULL, (size_t)count, sizeof *models) : NULL;
+    struct model *models = space != NULL ? models_init((int)count, space) : NULL;
     *jet = (struct jet){.order = order, .system = system, .space = space};
-    for (slong i = 0; i < count && models != NULL; i++)
-        model_init(models + i, space);
     for (int v = 0; v < system->all; v++)
         if (space == NULL)
             jet->c[v] = balls + v * each;
@@ -48,14 +43,10 @@ void jet_init(struct jet *jet, const struct system *system, slong order, const s
 
 void jet_clear(struct jet *jet)
 {
-    const slong count = jet->system->all * (jet->order + 1);
-    if (jet->space == NULL) {
-        _arb_vec_clear(jet->c[0], count);
-        return;
-    }
-    for (slong i = 0; i < count; i++)
-        model_clear(jet->m[0] + i);
-    free(jet->m[0]);
+    if (jet->space == NULL)
+        _arb_vec_clear(jet->c[0], jet->system->all * (jet->order + 1));
+    else
+        models_clear(jet->m[0]);
 }
 
 void jet_constants(struct jet *jet, const arb_t c1, const arb_t c2)
