@@ -31,17 +31,6 @@ bool extreme_of(const struct extreme *x, const struct quantity *q)
     return (x->domains >> q->domain & 1u) != 0;
 }
 
-bool inputs_of_values(const struct section *s, const double *values, struct input *inputs)
-{
-    bool numbers = true;
-    for (int i = 0; i < s->input_count; i++) {
-        inputs[i].infinite = isinf(values[i]) && values[i] > 0;
-        numbers = numbers && (isfinite(values[i]) || inputs[i].infinite);
-        fmpq_set_double(&inputs[i].value, isfinite(values[i]) ? values[i] : 1.0);
-    }
-    return numbers;
-}
-
 /* ---- conditions ---- */
 
 /*

@@ -36,7 +36,4 @@ bool domain_between_steps(const struct section *s, double *values);
 /* How many defects a random vector of the operation may get; the k-th of them (any k), by its place in a rotation. */
 void domain_defect(struct operation *o, uint64_t k, double *values);
 
-/* Inputs as binary64 has them; false where one is no number. */
-bool inputs_of_values(const struct section *s, const double *values, struct input *inputs);
-
 #endif

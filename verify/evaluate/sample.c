@@ -55,6 +55,17 @@ void fmpq_set_double(fmpq_t x, double value)
     arf_get_fmpq(x, exact);
 }
 
+bool inputs_of_values(const struct section *s, const double *values, struct input *inputs)
+{
+    bool numbers = true;
+    for (int i = 0; i < s->input_count; i++) {
+        inputs[i].infinite = isinf(values[i]) && values[i] > 0;
+        numbers = numbers && (isfinite(values[i]) || inputs[i].infinite);
+        fmpq_set_double(&inputs[i].value, isfinite(values[i]) ? values[i] : 1.0);
+    }
+    return numbers;
+}
+
 void sample(struct operation *o, uint64_t seed, uint64_t index, double *values, struct input *inputs)
 {
     const struct section *s = o->section;
@@ -63,10 +74,7 @@ void sample(struct operation *o, uint64_t seed, uint64_t index, double *values, 
         for (int i = 0; i < s->input_count; i++)
             values[i] = draw(s->inputs[i], mix(key ^ mix((uint64_t)i)));
         fit_steps(s, values, key);
-        for (int i = 0; i < s->input_count; i++) {
-            fmpq_set_double(&inputs[i].value, values[i]);
-            inputs[i].infinite = false; /* which the last inputs may have been */
-        }
+        inputs_of_values(s, values, inputs);
         key = mix(key);
     } while (!operation_valid(o, inputs));
 }

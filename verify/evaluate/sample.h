@@ -18,4 +18,7 @@ void sample(struct operation *o, uint64_t seed, uint64_t index, double *values, 
 /* x = the finite double, exactly. */
 void fmpq_set_double(fmpq_t x, double value);
 
+/* Inputs as binary64 has them; false where one is no number. */
+bool inputs_of_values(const struct section *s, const double *values, struct input *inputs);
+
 #endif

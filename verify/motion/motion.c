@@ -38,12 +38,6 @@ static bool cartesian(const struct scenario *s)
     return s->given[SET_x1];
 }
 
-/* Whether all numbers within the radius of the value are > 0 */
-static bool is_positive(const struct scenario *s, enum scenario_name name)
-{
-    return fmpq_cmp(&s->value[name].value, s->radius + name) > 0;
-}
-
 /* Whether no two craft meet: some coordinate never vanishes, or the length is positive. */
 static bool is_apart(const struct scenario *s)
 {
@@ -62,14 +56,13 @@ static bool is_apart(const struct scenario *s)
 
 bool scenario_valid(const struct scenario *s, bool nonlinear, struct message *why)
 {
-    static const enum scenario_name positive[] = {SET_Omega, SET_L_ref, SET_k_c, SET_m1, SET_m2};
     const char *where = "";
     for (int i = 0; i < SCENARIO_VALUES; i++)
         if (!fmpq_is_zero(s->radius + i))
             where = ", in all of the box";
-    for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
-        if (!is_positive(s, positive[i])) {
-            message_set(why, "%s: expected a number > 0%s", scenario_names[positive[i]], where);
+    for (int i = SET_m1; i <= SET_Omega; i++)
+        if (fmpq_cmp(&s->value[i].value, s->radius + i) <= 0) {
+            message_set(why, "%s: expected a number > 0%s", scenario_names[i], where);
             return false;
         }
     if (!s->given[SET_C1] && !s->given[SET_C2] && fmpq_cmp_si(&s->value[SET_n].value, 9) < 0) {
