@@ -377,10 +377,11 @@ PLOTS    := $(filter-out style,$(patsubst paper/figures/plot-%.gp,%,$(wildcard p
 DATED     = $$(git log -1 --format=%cs 2>/dev/null || sed -n '$$p' paper/date)
 # What the plots draw, and what the weaver reads.
 DRAWN_FROM = $(TABLES) $(STUDIES) $(VERDICTS) $(BUILD)/set.csv $(BUILD)/damped.csv
-WOVEN    := paper/weave.lua $(wildcard ref/*.c) $(EVIDENCE) $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv
-WEAVE     = LC_ALL=C.UTF-8 CT_PROGRAM='$(PROGRAM)' CT_DATA='$(DATA)' CT_BUILD='$(BUILD)' $(1) pandoc --fail-if-warnings \
-  -f paper/weave.lua --no-highlight -V version=$(VERSION) -V date="$(DATED)" -V fingerprint="$$($(SHA256) $(DATA)/datapackage.json | cut -c 1-16)" \
-  $(filter %.md,$^)
+WOVEN    := paper/weave.py $(wildcard ref/*.c) $(EVIDENCE) $(TABLES) $(STUDIES) $(GOLDEN) $(BUILD)/gate.csv
+WEAVE     = export LC_ALL=C.UTF-8 CT_PROGRAM='$(PROGRAM)' CT_DATA='$(DATA)' CT_BUILD='$(BUILD)' $(1) && \
+  $(PYTHON) paper/weave.py $(filter %.md,$^) >$@.md && pandoc --fail-if-warnings -f markdown-implicit_figures-fancy_lists \
+  --abbreviations=/dev/null --no-highlight -V version=$(VERSION) -V date="$(DATED)" \
+  -V fingerprint="$$($(SHA256) $(DATA)/datapackage.json | cut -c 1-16)" $@.md
 
 ## paper: the literate edition, build/coulomb-tether.pdf
 paper: $(BUILD)/coulomb-tether.pdf
@@ -402,7 +403,7 @@ SLIMMER = s/<semantics>(<mrow>)?|(<.mrow>)?<annotation [^>]*>[^<]*<.annotation><
   s/<mo accent="true">̇</<mo accent="true">˙</g; s/<mo accent="true">̈</<mo accent="true">¨</g; s/<mo accent="true">̂</<mo accent="true">^</g
 $(PAGES:%=$(SITE)/%.html): $(SITE)/%.html: paper/%.md paper/page.html $(WOVEN) | $(EDITION)/tools.found
 	$(call PRINTED,$(call WEAVE,CT_PAGE='$(@F)') -t html5 --mathml --template paper/page.html -o $@.woven.tmp && sed -E '$(SLIMMER)' $@.woven.tmp)
-	@rm $@.woven.tmp
+	@rm $@.md $@.woven.tmp
 
 $(SITE)/page.css: paper/page.css
 $(SITE)/client.js: tests/clients/client.js

@@ -19,26 +19,21 @@ titles = words["files"] | {"golden-" + section["id"]: section["title"] for secti
 
 
 def field(name):
-    base, before, after = name, "", ""
-    if base.startswith("S_"):
-        base, before = base[2:], "sensitivity of this to its inputs' last digits, sum |x dX/dx|: "
-    for suffix, meaning in words["suffixes"].items():
-        if base.endswith(suffix):
-            base, after = base[: -len(suffix)], ", " + meaning
+    prefix, base, suffix = re.fullmatch(f"({'|'.join(words['prefixes'])}|)(.*?)({'|'.join(words['suffixes'])}|)", name).groups()
     column = columns.get(base, {"type": "string"})
-    description = column.get("meaning") and before + column["meaning"] + after
-    known = {"name": name, "type": column.get("type", "number"), "unit": column.get("unit"), "description": description}
-    return "    " + json.dumps({key: value for key, value in known.items() if value})
+    meaning = column.get("meaning") and words["prefixes"].get(prefix, "") + column["meaning"] + words["suffixes"].get(suffix, "")
+    known = {"name": name, "type": column.get("type", "number"), "unit": column.get("unit"), "description": meaning}
+    return "    " + json.dumps({key: text for key, text in known.items() if text})
 
 
 def resource(path):
     content = open(path, "rb").read() if os.path.exists(path) else b""
-    path_there = re.search(r"(golden/)?[^/]*$", path)[0]
-    name = path_there.split(".")[0].replace("/", "-")
+    within = re.search(r"(golden/)?[^/]*$", path)[0]
+    name = within.split(".")[0].replace("/", "-")
     if not content or name not in titles:
         sys.exit(f"package: {path}: " + ("has no title in paper/package.json" if content else "expected a header line"))
     described = [
-        {"name": name, "path": path_there, "profile": "tabular-data-resource"},
+        {"name": name, "path": within, "profile": "tabular-data-resource"},
         {"title": titles[name]},
         {"format": "csv", "mediatype": "text/csv", "encoding": "utf-8", "bytes": len(content), "hash": "sha256:" + hashlib.sha256(content).hexdigest()},
     ]

@@ -18,6 +18,5 @@ for pass in 1 2 3 4; do
 done
 ! grep -E '^Overfull|LaTeX Warning: .*undefined|has been referenced but does not exist' coulomb-tether.log typeset.out >&2 || exit 1
 cd - >/dev/null
-cp "$1/coulomb-tether.pdf" "$2.tmp"
-mv "$2.tmp" "$2"
+mv "$1/coulomb-tether.pdf" "$2"
 sed -n 's/^Output written on .*(\([0-9]* pages\).*/\1/p' "$1/typeset.out"

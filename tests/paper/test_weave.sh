@@ -5,8 +5,10 @@
 
 weave() { # FORMAT: $work/prose.md woven
     (
+        export LC_ALL=C.UTF-8 CT_DATA=data CT_BUILD="$work"
         if [ "$1" = html5 ]; then export CT_PAGE=prose.html; fi
-        CT_DATA=data CT_BUILD=$work pandoc -f paper/weave.lua --wrap=none --mathml --no-highlight "$work/prose.md" -t "$1" >"$work/out" 2>"$work/err"
+        "$PYTHON" paper/weave.py "$work/prose.md" >"$work/out" 2>"$work/err" && pandoc -f markdown-implicit_figures-fancy_lists --wrap=none --mathml \
+            --no-highlight "$work/out" -t "$1" -o "$work/woven" 2>"$work/err" && mv "$work/woven" "$work/out"
     )
 }
 shown() { cat "$work/out" "$work/err"; return 1; }
