@@ -339,10 +339,8 @@ TEST(a_length_that_moves_with_pitch_moves_the_pair_as_the_law_says)
         trajectory_slow_law(x, &t, k);
         ck_assert_double_eq_tol(middle(x), 0.02 * (k == 0 ? 1 : middle(ratio)), 1e-6);
     }
-    struct bounds bounds;
-    bounds_init(&bounds);
-    ck_assert(!trajectory_bounds(&bounds, &t, 0)); /* of another law */
-    bounds_clear(&bounds);
+    VECTOR(arb, b, BOUNDS);
+    ck_assert(!trajectory_bounds(b, &t, 0)); /* of another law */
     trajectory_clear(&t);
 }
 

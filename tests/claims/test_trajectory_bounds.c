@@ -43,17 +43,15 @@ CASE(error_terms, NULL, flint_cleanup)
 EACH(B1_a_parabola_rises_above_its_samples_by_an_eighth, 3)
 {
     OWNED(trajectory) t;
-    OWNED(bounds) b;
+    VECTOR(arb, b, BOUNDS);
     SCOPE(arb, excess, truth);
-    bounds_init(&b);
     trajectory_of(&t, false, 1, 100 * (_i + 1), 10, 2);
     arb_set_ui(t.Omega, 1);
     arb_div_ui(t.Omega, t.Omega, 3 << 13, PREC);
     for (int i = 0; i < COORDINATES; i++) {
-        const int second = i >= PSI_DOT && i <= ETA_DOT ? i - PSI_DOT : i; /* a rate's derivatives are its coordinate's */
-        _arb_vec_zero(b.of[second], DERIVATIVES);
-        arb_one(b.of[i] + 2);
-        bound_between_samples(excess, &t, &b, i);
+        _arb_vec_zero(b, BOUNDS);
+        arb_one(b + BOUND_OF(i, 2));
+        bound_between_samples(excess, &t, b, i);
         arb_set_si(truth, 100 * (_i + 1));
         arb_div_ui(truth, truth, 3 << 13, 2 * PREC);
         arb_sqr(truth, truth, 2 * PREC);
@@ -67,13 +65,12 @@ EACH(B1_a_parabola_rises_above_its_samples_by_an_eighth, 3)
 TEST(B1_the_charges_have_both_their_terms)
 {
     OWNED(trajectory) t;
-    OWNED(bounds) b;
+    VECTOR(arb, b, BOUNDS);
     SCOPE(arb, excess, truth);
-    bounds_init(&b);
     trajectory_of(&t, false, 1, 1 << 12, 10, 2); /* a quarter of a radian */
-    arb_one(b.of[ETA] + 2);
-    arb_set_ui(b.of[ETA] + 3, 5);
-    bound_between_samples(excess, &t, &b, PRODUCT);
+    arb_one(b + BOUND_OF(ETA, 2));
+    arb_set_ui(b + BOUND_OF(ETA_DOT, 2), 5);
+    bound_between_samples(excess, &t, b, PRODUCT);
     arb_set_d(truth, 20 / 128.0);
     arb_div_ui(truth, truth, 3, 2 * PREC);
     ck_assert(arb_contains(excess, truth) && arb_rel_accuracy_bits(excess) > 100);
@@ -145,12 +142,11 @@ EACH(B2_B3_no_state_of_that_energy_exceeds_a_derivative, 2 * DERIVATIVES)
     static const int place[] = {PSI, PSI_DOT, ETA, ETA_DOT};
     const int d = _i / 2, which = _i % 2; /* psi or eta */
     OWNED(trajectory) t;
-    OWNED(bounds) b;
+    VECTOR(arb, b, BOUNDS);
     MATRIX(arb, a, 4, 4);
     MATRIX(arb, power, 4, 4);
     VECTOR(arb, weight, 4);
     SCOPE(arb, truth, sum, most);
-    bounds_init(&b);
     trajectory_of(&t, false, 1, 100, 12, 3);
     matrix_of_40(a, &t);
     arb_mat_pow_ui(power, a, (ulong)d, PREC);
@@ -170,27 +166,26 @@ EACH(B2_B3_no_state_of_that_energy_exceeds_a_derivative, 2 * DERIVATIVES)
         arb_sqrt(most, most, PREC);
         arb_addmul(sum, most, arb_mat_entry(power, 2 * which, i), PREC);
     }
-    ck_assert(trajectory_bounds(&b, &t, 0));
-    assert_at_least(b.of[which == 0 ? PSI : ETA] + d, truth, 4, "derivative", d);
-    assert_at_least(b.of[which == 0 ? PSI : ETA] + d, sum, 1 + 0x1p-60, "derivative", d);
+    ck_assert(trajectory_bounds(b, &t, 0));
+    assert_at_least(b + BOUND_OF(which == 0 ? PSI : ETA, d), truth, 4, "derivative", d);
+    assert_at_least(b + BOUND_OF(which == 0 ? PSI : ETA, d), sum, 1 + 0x1p-60, "derivative", d);
 }
 
 /* theta = a cos(2 tau) + b/2 sin(2 tau), wherever it starts on its way */
 EACH(B2_pitch_has_its_amplitude, 6)
 {
     OWNED(trajectory) t;
-    OWNED(bounds) b;
+    VECTOR(arb, b, BOUNDS);
     SCOPE(arb, truth);
-    bounds_init(&b);
     trajectory_of(&t, false, 1, 100, 10, 2);
     arb_set_d(trajectory_sample(&t, 0) + THETA, 0.25 * cos(0.3 * _i));
     arb_set_d(trajectory_sample(&t, 0) + THETA_DOT, 0.5 * sin(0.3 * _i));
-    ck_assert(trajectory_bounds(&b, &t, 0));
+    ck_assert(trajectory_bounds(b, &t, 0));
     for (int d = 0; d < DERIVATIVES; d++) {
         arb_set_d(truth, ldexp(0.25, d) * (1 - 0x1p-50));
-        assert_at_least(b.of[THETA] + d, truth, 4.5, "pitch", d);
+        assert_at_least(b + BOUND_OF(THETA, d), truth, 4.5, "pitch", d);
         arb_set_d(truth, ldexp(hypot(0.5 * cos(0.3 * _i), sin(0.3 * _i)), d)); /* twice theta and theta_dot */
-        assert_at_least(b.of[THETA] + d, truth, 1 + 0x1p-40, "pitch", d);
+        assert_at_least(b + BOUND_OF(THETA, d), truth, 1 + 0x1p-40, "pitch", d);
     }
 }
 
@@ -198,26 +193,25 @@ EACH(B2_pitch_has_its_amplitude, 6)
 TEST(B3_places_have_all_products_of_derivatives)
 {
     OWNED(trajectory) t;
-    OWNED(bounds) b;
+    VECTOR(arb, b, BOUNDS);
     SCOPE(arb_poly, length, angle);
     SCOPE(arb, c, factorial);
-    bounds_init(&b);
     trajectory_of(&t, false, 1, 100, 12, 3);
     for (int i = PSI; i <= ETA_DOT; i++)
         arb_set_d(trajectory_sample(&t, 0) + i, 1 + 0.25 * i);
-    ck_assert(trajectory_bounds(&b, &t, 0));
+    ck_assert(trajectory_bounds(b, &t, 0));
     for (int i = PSI; i <= THETA; i++) {
         arb_poly_zero(length);
         arb_poly_zero(angle);
         arb_one(factorial);
         for (int d = 0; d < DERIVATIVES; d++) {
             arb_mul_ui(factorial, factorial, d > 1 ? (ulong)d : 1, PREC);
-            arb_div(c, b.of[ETA] + d, factorial, PREC);
+            arb_div(c, b + BOUND_OF(ETA, d), factorial, PREC);
             arb_add_ui(c, c, d == 0, PREC);
             arb_poly_set_coeff_arb(length, d, c);
             arb_mul(c, c, factorial, PREC);
-            assert_at_least(b.of[PLACE_X] + d, c, 1 + 0x1p-60, "x", d);
-            arb_div(c, b.of[i] + d, factorial, PREC);
+            assert_at_least(b + BOUND_OF(PLACE_X, d), c, 1 + 0x1p-60, "x", d);
+            arb_div(c, b + BOUND_OF(i, d), factorial, PREC);
             arb_poly_set_coeff_arb(angle, d, c);
         }
         arb_poly_mullow(angle, angle, length, DERIVATIVES, PREC);
@@ -226,7 +220,7 @@ TEST(B3_places_have_all_products_of_derivatives)
             arb_mul_ui(factorial, factorial, d > 1 ? (ulong)d : 1, PREC);
             arb_poly_get_coeff_arb(c, angle, d);
             arb_mul(c, c, factorial, PREC);
-            assert_at_least(b.of[i == PSI ? PLACE_Y : PLACE_Z] + d, c, 1 + 0x1p-60, "place", d);
+            assert_at_least(b + BOUND_OF(i == PSI ? PLACE_Y : PLACE_Z, d), c, 1 + 0x1p-60, "place", d);
         }
     }
 }
@@ -317,7 +311,7 @@ enum { PLAIN = -1, NUMBERS_IN = 5 + 2 * COORDINATES }; /* gains, units, samples 
 static void numbers_of(arb_ptr z, bool nonlinear, int seed, slong prec, int wide, int side)
 {
     OWNED(trajectory) t, other;
-    OWNED(bounds) b;
+    VECTOR(arb, b, BOUNDS);
     trajectory_of(&t, nonlinear, 2, 700, 11.3, 2.7);
     trajectory_of(&other, nonlinear, 2, 700, 11.3, 2.7);
     t.prec = other.prec = prec;
@@ -336,20 +330,19 @@ static void numbers_of(arb_ptr z, bool nonlinear, int seed, slong prec, int wide
             arb_add_error(x, radius);
         arb_addmul_si(x, radius, side, 300);
     }
-    bounds_init(&b);
     trajectory_energy(z + ENERGY, &t, 1);
-    ck_assert(nonlinear || trajectory_bounds(&b, &t, 0));
+    ck_assert(nonlinear || trajectory_bounds(b, &t, 0));
     for (int i = 0; i < VARIABLES; i++) {
         trajectory_value(z + i, &t, 1, i);
         trajectory_unit(z + UNIT + i, &t, i);
         trajectory_peak(z + GAP + i, &t, &other, i, 0, 1);
         trajectory_peak(z + PEAK + i, &t, NULL, i, 0, 1);
         if (i <= PRODUCT && !nonlinear) {
-            bound_between_samples(z + EXCESS + i, &t, &b, i);
+            bound_between_samples(z + EXCESS + i, &t, b, i);
             ck_assert(trajectory_supremum(z + SUPREMUM + i, &t, NULL, i, 0, 1));
         }
         if (i < COORDINATES && !nonlinear)
-            arb_set(z + BOUND + i, b.of[i] + 2);
+            arb_set(z + BOUND + i, b + BOUND_OF(i, 2));
     }
     arb_one(other.samples); /* a place off both axes, and its derivatives */
     angle_series(z + SERIES, other.samples, DERIVATIVES, prec);
@@ -401,9 +394,8 @@ static const struct {
 
 TEST(B2_B6_no_state_at_L_ref_exceeds_its_place_or_derivatives)
 {
-    OWNED(bounds) b;
+    VECTOR(arb, b, BOUNDS);
     SCOPE(arb, truth, sine, cosine);
-    bounds_init(&b);
     for (int i = 0; i < COUNT(largest); i++) {
         OWNED(trajectory) t;
         trajectory_of(&t, true, 1, 100, 12, 2);
@@ -417,8 +409,8 @@ TEST(B2_B6_no_state_at_L_ref_exceeds_its_place_or_derivatives)
             arb_mul(truth, truth, cosine, PREC);
         arb_set_d(sine, largest[i].times);
         arb_mul(truth, truth, sine, PREC);
-        ck_assert(trajectory_bounds(&b, &t, 0));
-        assert_at_least(b.of[largest[i].place] + largest[i].d, truth, largest[i].at_most, "place", i);
+        ck_assert(trajectory_bounds(b, &t, 0));
+        assert_at_least(b + BOUND_OF(largest[i].place, largest[i].d), truth, largest[i].at_most, "place", i);
     }
 }
 
@@ -448,16 +440,15 @@ EACH(B4_B5_no_length_of_that_energy_lies_beyond_its_bound, 2)
 {
     enum { CLOSE = 160 }; /* by 2^-10 of L' each: over more than an eighth of dL, to less than a gap between slices */
     OWNED(trajectory) t;
-    OWNED(bounds) b;
+    VECTOR(arb, b, BOUNDS);
     VECTOR(arb, x, 3);
     arb_ptr G = x, energy = x + 1, eta = x + 2;
-    bounds_init(&b);
     trajectory_of(&t, true, 1, 100, 12, 2);
     for (int k = 0; k < CLOSE; k++) {
         arb_set_d(trajectory_sample(&t, 0) + ETA_DOT, 0.1 * pow(0.1, _i) * pow(1 + 0x1p-10, k));
-        ck_assert(trajectory_bounds(&b, &t, 0));
+        ck_assert(trajectory_bounds(b, &t, 0));
         trajectory_energy(energy, &t, 0);
-        arb_sub_ui(eta, b.of[PLACE_X], 1, PREC); /* the larger of l there; sharper than the bound of dL */
+        arb_sub_ui(eta, b + BOUND_OF(PLACE_X, 0), 1, PREC); /* the larger of l there; sharper than the bound of dL */
         arb_get_ubound_arf(arb_midref(eta), eta, PREC);
         mag_zero(arb_radref(eta));
         for (int side = 0; side < 2; side++) {
@@ -465,7 +456,7 @@ EACH(B4_B5_no_length_of_that_energy_lies_beyond_its_bound, 2)
             ck_assert_msg(arb_gt(G, energy), "x1 to %g", arf_get_d(arb_midref(eta), ARF_RND_NEAR));
             arb_neg(eta, eta);
         }
-        ck_assert(arb_ge(b.of[ETA], eta));
+        ck_assert(arb_ge(b + BOUND_OF(ETA, 0), eta));
     }
 }
 
@@ -473,35 +464,33 @@ EACH(B4_B5_no_length_of_that_energy_lies_beyond_its_bound, 2)
 EACH(B4_both_sides_confine, 2)
 {
     OWNED(trajectory) t;
-    OWNED(bounds) b;
-    bounds_init(&b);
+    VECTOR(arb, b, BOUNDS);
     trajectory_of(&t, true, 1, 100, 12, 2);
     arb_set_d(trajectory_sample(&t, 0) + ETA, _i == 0 ? 0.1 : -0.1);
-    ck_assert(trajectory_bounds(&b, &t, 0));
-    ck_assert(arb_is_finite(b.of[ETA]) && !is_below(b.of[ETA], 0.1));
+    ck_assert(trajectory_bounds(b, &t, 0));
+    ck_assert(arb_is_finite(b + BOUND_OF(ETA, 0)) && !is_below(b + BOUND_OF(ETA, 0), 0.1));
     arb_zero(trajectory_sample(&t, 0) + ETA); /* at rest too */
-    ck_assert(trajectory_bounds(&b, &t, 0) && is_below(b.of[ETA], 1e-9));
+    ck_assert(trajectory_bounds(b, &t, 0) && is_below(b + BOUND_OF(ETA, 0), 1e-9));
     t.other_law = true;
-    ck_assert(!trajectory_bounds(&b, &t, 0));
+    ck_assert(!trajectory_bounds(b, &t, 0));
 }
 
 /* With c1 = 12 the hill is at 1.3 L_ref. At 1.4 the energy is less than there, but the motion is on the other side. */
 TEST(B4_what_is_beyond_the_hill_has_no_bounds)
 {
     OWNED(trajectory) t;
-    OWNED(bounds) b;
+    VECTOR(arb, b, BOUNDS);
     SCOPE(arb, hours, limit);
-    bounds_init(&b);
     trajectory_of(&t, true, 2, 100, 12, 2);
     arb_set_d(trajectory_sample(&t, 0) + ETA, 0.4);
     arb_set_d(trajectory_sample(&t, 1) + ETA, 0.01);
-    ck_assert(!trajectory_bounds(&b, &t, 0));
+    ck_assert(!trajectory_bounds(b, &t, 0));
     ck_assert(!trajectory_supremum(hours, &t, NULL, ETA, 0, 1));
     arb_set_d(limit, 0.3);
     ck_assert(!settles(hours, &t, ETA, limit));
     arb_zero(trajectory_sample(&t, 0) + ETA);
     arb_set_d(trajectory_sample(&t, 0) + ETA_DOT, 0.5); /* and with this it would get over the hill */
-    ck_assert(!trajectory_bounds(&b, &t, 0));
+    ck_assert(!trajectory_bounds(b, &t, 0));
 }
 
 /* ---- B7: settling ---- */

@@ -36,10 +36,9 @@ struct measure {
 /* What the energy at a sample allows from then on, for ever; no number where that is nothing. */
 static void reach_from(arb_t x, const struct trajectory *t, int which, slong k)
 {
-    OWNED(bounds) b;
-    bounds_init(&b);
-    if (trajectory_bounds(&b, t, k))
-        arb_set(x, b.of[which]);
+    VECTOR(arb, b, BOUNDS);
+    if (trajectory_bounds(b, t, k))
+        arb_set(x, b + BOUND_OF(which, 0));
     else
         arb_indeterminate(x);
 }

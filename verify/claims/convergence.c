@@ -200,43 +200,30 @@ void convergence_clear(struct convergence *c)
     _arb_vec_clear(c->constants, size);
 }
 
-void convergence_worst(arb_t worst, const struct convergence *c, int from, int to)
-{
-    SCOPE(arb, off);
-    arb_zero(worst);
-    for (int row = from; row <= to; row++)
-        for (int i = 0; i < c->study->count; i++) {
-            arb_sub_si(off, c->orders + row * STUDIED + i, c->study->order[i], PREC);
-            arb_abs(off, off);
-            arb_max(worst, worst, off, PREC);
-        }
-}
-
 /* ---- as a computation ----------------------------------------------------- */
 
 /*
- * Of a study: orders, differences (in SI) and constants of its last row, p_VARIABLE, d_VARIABLE, c_VARIABLE, and
- * `worst`, the most that an order is off; a study of claims is computed whole, p_VARIABLE_1 and so on its rows', the
- * first being 0.
+ * Of a study: orders and constants of its last row, p_VARIABLE, c_VARIABLE, and `worst`, the most that an order is off; a study of
+ * claims is computed whole, and has the differences of its first row (in SI), d_VARIABLE_0.
  */
 void run_study(struct computed *c)
 {
     const struct study *s = c->of.of;
     const int last = s->rows - 1, from = s->of_claims ? 0 : last - 1;
     struct convergence study;
-    SCOPE(arb, worst);
+    SCOPE(arb, worst, off);
     const bool found = convergence_init(&study, c->steps, s, from);
     for (int i = 0; i < s->count; i++) {
         const char *variable = variable_names[s->which[i]];
-        for (int row = from; row < s->rows; row++) {
-            const int at = row * STUDIED + i;
-            give(c, found && row > from, study.orders + at, "p_%s_%d", variable, row);
-            give(c, found, study.differences + at, "d_%s_%d", variable, row);
+        for (int row = from + 1; row < s->rows; row++) {
+            arb_sub_si(off, study.orders + row * STUDIED + i, s->order[i], PREC);
+            arb_abs(off, off);
+            arb_max(worst, worst, off, PREC);
         }
+        give(c, found && s->of_claims, study.differences + i, "d_%s_0", variable);
         give(c, found, study.orders + last * STUDIED + i, "p_%s", variable);
         give(c, found, study.constants + last * STUDIED + i, "c_%s", variable);
     }
-    convergence_worst(worst, &study, from + 1, last);
     give(c, found, worst, "worst");
     convergence_clear(&study);
 }

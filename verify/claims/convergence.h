@@ -49,9 +49,6 @@ struct convergence {
 bool convergence_init(struct convergence *c, const struct derivations *steps, const struct study *s, int from);
 void convergence_clear(struct convergence *c);
 
-/* The most that an order differs from the expected one, in these rows; indeterminate if one of them is. */
-void convergence_worst(arb_t worst, const struct convergence *c, int from, int to);
-
 /* As a computation, of a struct study. */
 void run_study(struct computed *c);
 

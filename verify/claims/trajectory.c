@@ -299,23 +299,6 @@ void trajectory_energy(arb_t energy, const struct trajectory *t, slong k)
         tether_energy(energy, t->steps, t->c1, sample, t->prec);
 }
 
-enum { BOUNDED = 6 }; /* coordinates that have a vector of their own: a rate shares its angle's, from the first derivative on */
-
-void bounds_init(struct bounds *b)
-{
-    b->all = _arb_vec_init(BOUNDED * DERIVATIVES);
-    for (int i = PSI; i <= ETA; i++) {
-        b->of[i] = b->all + 2 * i * DERIVATIVES;
-        b->of[i + PSI_DOT] = b->of[i] + 1;
-        b->of[i + PLACE_X] = b->of[i] + DERIVATIVES;
-    }
-}
-
-void bounds_clear(struct bounds *b)
-{
-    _arb_vec_clear(b->all, BOUNDED * DERIVATIVES);
-}
-
 /* sqrt(factor E) */
 static void reach(arb_t x, const arb_t E, ulong numerator, ulong denominator, slong prec)
 {
@@ -325,10 +308,10 @@ static void reach(arb_t x, const arb_t E, ulong numerator, ulong denominator, sl
 }
 
 /* Bounds of the state from E, of its derivatives from (40). */
-static void linear_bounds(struct bounds *b, const struct trajectory *t, const arb_t E, slong k)
+static void linear_bounds(arb_ptr b, const struct trajectory *t, const arb_t E, slong k)
 {
     const slong prec = t->prec;
-    arb_ptr psi = b->of[PSI], theta = b->of[THETA], eta = b->of[ETA];
+    arb_ptr psi = b + BOUND_OF(PSI, 0), theta = b + BOUND_OF(THETA, 0), eta = b + BOUND_OF(ETA, 0);
     SCOPE(arb, stiffness);
     arb_sub_ui(stiffness, t->c1, 9, prec);
     reach(psi, E, 2, 3, prec);
@@ -350,14 +333,14 @@ static void linear_bounds(struct bounds *b, const struct trajectory *t, const ar
     /* x = 1 + eta, y = (1 + eta) psi, z = -(1 + eta) theta, by Leibniz's rule */
     for (int d = 0; d < DERIVATIVES; d++) {
         static const ulong binomial[DERIVATIVES][DERIVATIVES] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
-        arb_add_ui(b->of[PLACE_X] + d, eta + d, d == 0, prec);
-        arb_set(b->of[PLACE_Y] + d, psi + d);
-        arb_set(b->of[PLACE_Z] + d, theta + d);
+        arb_add_ui(b + BOUND_OF(PLACE_X, d), eta + d, d == 0, prec);
+        arb_set(b + BOUND_OF(PLACE_Y, d), psi + d);
+        arb_set(b + BOUND_OF(PLACE_Z, d), theta + d);
         for (int i = 0; i <= d; i++) {
             SCOPE(arb, c);
             arb_mul_ui(c, eta + i, binomial[d][i], prec);
-            arb_addmul(b->of[PLACE_Y] + d, c, psi + d - i, prec);
-            arb_addmul(b->of[PLACE_Z] + d, c, theta + d - i, prec);
+            arb_addmul(b + BOUND_OF(PLACE_Y, d), c, psi + d - i, prec);
+            arb_addmul(b + BOUND_OF(PLACE_Z, d), c, theta + d - i, prec);
         }
     }
 }
@@ -424,12 +407,12 @@ static void set_bounds(arb_ptr bound, arb_srcptr series, slong prec)
     }
 }
 
-bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
+bool trajectory_bounds(arb_ptr b, const struct trajectory *t, slong k)
 {
     bool bounded = !t->other_law;
     SCOPE(arb, E, eta);
     VECTOR(arb, angles, 3 * DERIVATIVES);
-    _arb_vec_zero(b->all, BOUNDED * DERIVATIVES);
+    _arb_vec_zero(b, BOUNDS);
     trajectory_energy(E, t, k);
     if (t->nonlinear) {
         OWNED(jet) jet;
@@ -441,23 +424,25 @@ bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k)
             jet_extend(&jet, &jet, BOUND_BITS, 0);
             angle_series(angles, jet.c[X], DERIVATIVES, BOUND_BITS); /* y and z stand after x */
             for (int c = 0; c < 3; c++) {
-                set_bounds(b->of[PSI + c], angles + c * DERIVATIVES, BOUND_BITS);
-                set_bounds(b->of[PLACE_X + c], jet.c[X + c], BOUND_BITS);
+                set_bounds(b + BOUND_OF(PSI + c, 0), angles + c * DERIVATIVES, BOUND_BITS);
+                set_bounds(b + BOUND_OF(PLACE_X + c, 0), jet.c[X + c], BOUND_BITS);
             }
         }
     } else {
         linear_bounds(b, t, E, k);
     }
+    for (int i = 0; i < FLOW_HALF; i++)
+        _arb_vec_set(b + BOUND_OF(PSI_DOT + i, 0), b + BOUND_OF(PSI + i, 1), DERIVATIVES - 1);
     return bounded;
 }
 
-void bound_between_samples(arb_t excess, const struct trajectory *t, const struct bounds *b, int which)
+void bound_between_samples(arb_t excess, const struct trajectory *t, arb_srcptr b, int which)
 {
     SCOPE(arb, curvature);
     if (which == PRODUCT)
-        commanded(curvature, t->c1, t->c2, b->of[ETA] + 2, b->of[ETA_DOT] + 2, t->prec);
+        commanded(curvature, t->c1, t->c2, b + BOUND_OF(ETA, 2), b + BOUND_OF(ETA_DOT, 2), t->prec);
     else
-        arb_set(curvature, b->of[which] + 2);
+        arb_set(curvature, b + BOUND_OF(which, 2));
     arb_mul_si(excess, t->Omega, t->step, t->prec);
     arb_sqr(excess, excess, t->prec);
     arb_mul(excess, excess, curvature, t->prec);
@@ -482,13 +467,12 @@ bool trajectory_supremum(arb_t supremum, const struct trajectory *t, const struc
 {
     const struct trajectory *const both[] = {t, beside, NULL};
     bool bounded = true;
-    OWNED(bounds) b;
+    VECTOR(arb, b, BOUNDS);
     SCOPE(arb, excess);
-    bounds_init(&b);
     trajectory_peak(supremum, t, beside, which, from, to);
     for (int i = 0; both[i] != NULL; i++) {
-        bounded = trajectory_bounds(&b, both[i], from) && bounded;
-        bound_between_samples(excess, both[i], &b, which);
+        bounded = trajectory_bounds(b, both[i], from) && bounded;
+        bound_between_samples(excess, both[i], b, which);
         arb_add(supremum, supremum, excess, t->prec);
     }
     return bounded;
@@ -507,17 +491,16 @@ static void time_between(arb_t hours, const struct trajectory *t, slong above, s
 bool trajectory_exit(arb_t hours, const struct trajectory *t, int which, const arb_t limit)
 {
     enum { RENEWED = 256 }; /* samples: bounds hold on; renewed, they are sharper */
-    OWNED(bounds) b;
+    VECTOR(arb, b, BOUNDS);
     SCOPE(arb, value, bound);
     slong below = t->count; /* from that sample on it is below, between samples too */
     bool bounded = true, above = false;
-    bounds_init(&b);
     arb_indeterminate(hours);
     for (slong k = t->count - 1; k >= 0 && !above; k--) {
         if (k % RENEWED == RENEWED - 1 || k == t->count - 1)
-            bounded = trajectory_bounds(&b, t, k - k % RENEWED) && bounded;
+            bounded = trajectory_bounds(b, t, k - k % RENEWED) && bounded;
         arb_abs(value, trajectory_sample(t, k) + which);
-        bound_between_samples(bound, t, &b, which);
+        bound_between_samples(bound, t, b, which);
         arb_add(bound, bound, value, t->prec);
         above = arb_gt(value, limit);
         if (above && below < t->count)

@@ -90,17 +90,16 @@ void trajectory_peak(arb_t peak, const struct trajectory *t, const struct trajec
 void trajectory_energy(arb_t energy, const struct trajectory *t, slong k);
 void tether_energy(arb_t energy, const struct derivations *steps, const arb_t c1, arb_srcptr sample, slong prec);
 
-/* Bounds on a coordinate and its derivatives, from a sample on for ever; of a rate, up to the second. */
-enum { DERIVATIVES = 4 };
-struct bounds {
-    arb_ptr all, of[COORDINATES];
-};
-void bounds_init(struct bounds *b);
-void bounds_clear(struct bounds *b);
-bool trajectory_bounds(struct bounds *b, const struct trajectory *t, slong k);
+/*
+ * Bounds on the coordinates and their derivatives, from a sample on for ever; of a rate, up to the second. `bounds` has BOUNDS numbers;
+ * false where not all of them are proved.
+ */
+enum { DERIVATIVES = 4, BOUNDS = DERIVATIVES * COORDINATES };
+#define BOUND_OF(which, derivative) (DERIVATIVES * (which) + (derivative))
+bool trajectory_bounds(arb_ptr bounds, const struct trajectory *t, slong k);
 
 /* What a coordinate or the charges can exceed their samples by between them, ... */
-void bound_between_samples(arb_t excess, const struct trajectory *t, const struct bounds *b, int which);
+void bound_between_samples(arb_t excess, const struct trajectory *t, arb_srcptr bounds, int which);
 
 /* ... and a bound on their peak from sample to sample, between them too. */
 bool trajectory_supremum(arb_t supremum, const struct trajectory *t, const struct trajectory *beside, int which, slong from, slong to);
