@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include "conform/kinds.h"
+#include "evaluate/reference.h"
 #include "evaluate/vectors.h"
 #include "formula/exact.h"
 #include "sheet/known_mistakes.h"
@@ -177,120 +178,40 @@ static void try_mistake(const struct patient *p, const struct known_mistake *m, 
     mutant_clear(&x);
 }
 
-/* ---- mistakes that no sheet lists, by names alone ---- */
+/* ---- what no sheet lists ---- */
 
-enum { LONGEST_GUESS = 80 };
-
-/* A factor too many, or missing, in those outputs. */
-static void try_factor(const struct patient *p, const bool *wrong, const char *factor)
+/* What was answered in numbers, with the truth as ref/ has it: what failed, then what passes, of which the answer is as good. */
+static void gather(struct evidence *v, const struct patient *p)
 {
-    char name[LONGEST_GUESS + 20], formulas[MOST_OUTPUTS][2 * LONGEST_GUESS];
-    for (int missing = 0; missing < 2; missing++) {
-        struct known_mistake m = {.name = name};
-        for (int k = 0; k < p->section->output_count; k++) {
-            const char *output = p->section->outputs[k]->name;
-            if (!wrong[k])
-                continue;
-            snprintf(formulas[k], sizeof formulas[k], "%s%c(%s)", output, missing ? '/' : '*', factor);
-            m.changes[m.count].place = PLACE_OUTPUT;
-            m.changes[m.count].name = output;
-            m.changes[m.count++].formula = formulas[k];
-        }
-        snprintf(name, sizeof name, "a factor %s %s", factor, missing ? "is missing" : "too many");
-        try_mistake(p, &m, "");
-    }
-}
-
-/* One formula in place of an input, and (NULL: nothing) that input in place of another. */
-static void try_input(const struct patient *p, const char *input, const char *formula, const char *other)
-{
-    char name[2 * LONGEST_GUESS];
-    const struct known_mistake m = {.name = name, .count = other != NULL ? 2 : 1,
-                                    .changes = {{PLACE_INPUT, input, formula}, {PLACE_INPUT, other, input}}};
-    if (other != NULL)
-        snprintf(name, sizeof name, "the inputs %s and %s exchanged", input, other);
-    else
-        snprintf(name, sizeof name, "%s in place of %s", formula, input);
-    try_mistake(p, &m, "");
-}
-
-/* What the masses make, or a power of an input, in what is wrong; one input off by one, or with such a factor; two exchanged. */
-static void try_names(const struct patient *p, const bool *wrong)
-{
-    enum { POWERS = 3 };
-    static const char *const masses[] = {"m1*m2/(m1 + m2)", "m1/(m1 + m2)", "m2/(m1 + m2)", "m1/m2"};
-    static const char *const after[] = {"", "^2", "^3", " + 1", " - 1", "*m1*m2/(m1 + m2)", "*(m1*m2/(m1 + m2))^2", "/(m1*m2/(m1 + m2))",
-                                        "/(m1*m2/(m1 + m2))^2"};
+    struct operation *o = &p->e->sets.all[p->t - p->e->summaries].operation;
     const struct section *s = p->section;
-    const char *text = p->t->diagnosis;
-    char formula[LONGEST_GUESS];
-    for (size_t k = 0; k < sizeof masses / sizeof *masses; k++)
-        try_factor(p, wrong, masses[k]);
-    for (int i = 0; i < s->input_count && *text == '\0'; i++) {
-        const char *input = s->inputs[i]->name;
-        for (size_t k = 0; k < sizeof after / sizeof *after && *text == '\0'; k++) {
-            snprintf(formula, sizeof formula, "%s%s", input, after[k]);
-            if (k < POWERS)
-                try_factor(p, wrong, formula);
-            else
-                try_input(p, input, formula, NULL);
-        }
-        for (int other = i + 1; other < s->input_count && *text == '\0'; other++)
-            try_input(p, input, s->inputs[other]->name, s->inputs[other]->name);
-    }
-}
-
-/* What failed in numbers, with the truth, then what passed, of which the answer is as good; of a motion what is soon computed. */
-static void gather(struct evidence *v, const struct test_run *e, int set, clock_t until)
-{
-    enum { MOST_ALIKE = 2 }; /* failing motions of one time that are followed */
-    const struct summary *t = &e->summaries[set];
-    struct operation *o = e->comparators[set].operation;
-    const struct section *s = o->section;
     TEST_VECTOR(q);
-    VECTOR(arb, exact, MOST_OUTPUTS);
-    *v = (struct evidence){.section = s, .until = until, .digits = e->comparators[set].digits};
-    o->until = until;
-    for (int i = 0; i < t->kept_count && clock() < until; i++) {
-        const struct record *r = &t->kept[i];
-        const bool right = r->outcome == OUTCOME_RIGHT && r->has_values, motion = is_motion(s);
-        int alike = 0;
-        test_vector_make(&q, &e->sets, r->position);
-        for (int f = 0; f < v->count && motion && !right; f++)
-            alike += v->x[f][input_place(s, "t")] == fmpq_get_d(&q.inputs[input_place(s, "t")].value);
-        if ((r->outcome != OUTCOME_WRONG && !right) || is_longer(s, q.inputs, 12.0) || alike == MOST_ALIKE ||
-            (!(motion && right) &&
-             operation_follow(o, q.inputs, 15, motion ? operation_precision(o, q.inputs, 15) : 128, exact) != OPERATION_PROVED))
+    VECTOR(arb, S, MOST_OUTPUTS);
+    *v = (struct evidence){.section = s, .until = p->until, .digits = p->digits};
+    for (int i = 0; i < p->t->kept_count; i++) {
+        const struct record *r = &p->t->kept[i];
+        const bool right = r->outcome == OUTCOME_RIGHT && r->has_values;
+        double *y = v->y[v->count], *exact = v->exact[v->count];
+        test_vector_make(&q, &p->e->sets, r->position);
+        if ((r->outcome != OUTCOME_WRONG && !right) || is_longer(s, q.inputs, 12.0))
             continue;
-        v->records[v->count] = r;
         for (int k = 0; k < s->input_count; k++)
             v->x[v->count][k] = q.inputs[k].infinite ? INFINITY : fmpq_get_d(&q.inputs[k].value);
-        for (int k = 0; k < s->output_count; k++) {
-            v->exact[v->count][k] = motion && right ? r->values[k] : arf_get_d(arb_midref(exact + k), ARF_RND_NEAR);
-            v->y[v->count][k] = right ? v->exact[v->count][k] : r->values[k]; /* but for roundings */
-        }
-        v->count++;
+        reference_find(s->id)(v->x[v->count], exact);
+        memcpy(y, right && !is_motion(s) ? exact : r->values, sizeof v->y[0]); /* the same but for roundings */
+        if (!is_motion(s))
+            operation_sensitivity(o, q.inputs, 128, S);
+        for (int k = 0; k < s->output_count; k++)
+            v->tolerance[v->count][k] = alike_within(exact[k], arf_get_d(arb_midref(S + k), ARF_RND_NEAR), p->e->significand);
+        v->records[v->count++] = r;
     }
-    o->until = 0;
 }
 
-/* What no sheet lists. */
-static void diagnose_kind(const struct patient *p, int set)
+static void diagnose_kind(const struct patient *p)
 {
-    static const struct known_mistake of_radians = {
-        .name = "in units of Omega: a factor Omega is missing",
-        .changes = {{PLACE_INPUT, "Omega", "1"}, {PLACE_INPUT, "C1", "C1/Omega^2"}, {PLACE_INPUT, "C2", "C2/Omega"}}, .count = 3};
     struct evidence *v = xrealloc(NULL, 1, sizeof *v);
-    bool wrong[MOST_OUTPUTS] = {false};
-    gather(v, p->e, set, p->until);
-    for (int k = 0; k < p->section->output_count; k++)
-        wrong[k] = !is_always(v, k, is_same);
-    if (is_motion(p->section))
-        kind_of_motion(v, p->t->diagnosis, sizeof p->t->diagnosis);
-    else if (kind_of_formula(v, p->t->diagnosis, sizeof p->t->diagnosis)) {
-        try_mistake(p, &of_radians, "");
-        try_names(p, wrong);
-    }
+    gather(v, p);
+    (is_motion(p->section) ? kind_of_motion : kind_of_formula)(v, p->t->diagnosis, sizeof p->t->diagnosis);
     free(v);
 }
 
@@ -307,7 +228,7 @@ void diagnose(struct test_run *e, int set)
     t->hurried = clock() > p.until;
     p.until = start + (clock_t)(PATIENCE * CLOCKS_PER_SEC);
     if (t->diagnosis[0] == '\0' && several)
-        diagnose_kind(&p, set);
+        diagnose_kind(&p);
     if (nan)
         add_text(t->diagnosis, sizeof t->diagnosis, "; and ", "nan where `invalid` is due");
     else if (t->counts[OUTCOME_VALUE] > 1 && t->counts[OUTCOME_INVALID] == 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))

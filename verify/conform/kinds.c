@@ -4,11 +4,28 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "evaluate/reference.h"
+
 static const double PI = 3.14159265358979323846;
 
-bool is_same(double a, double b)
+double alike_within(double exact, double S, int significand)
 {
-    return fabs(a - b) <= 1e-9 * fmax(fabs(a), fabs(b));
+    return fmin(fmax(1e-9, ldexp(64.0, -significand)) * (exact == 0.0 && S == 0.0 ? 1.0 : 1.0 + S / fabs(exact)), 2.0);
+}
+
+/* Whether an answer is that number, and whether an output is right in every vector. */
+static bool is_same(const struct evidence *v, int f, int k, double number)
+{
+    const double y = v->y[f][k];
+    return fabs(y - number) <= v->tolerance[f][k] * fmax(fabs(y), fabs(number));
+}
+
+static bool is_right(const struct evidence *v, int k)
+{
+    bool right = true;
+    for (int f = 0; f < v->count; f++)
+        right = right && is_same(v, f, k, v->exact[f][k]);
+    return right;
 }
 
 /* ---- all outputs alike ---- */
@@ -43,7 +60,7 @@ static void permuted_outputs(const struct evidence *v, char *text, size_t size)
         for (int j = 0; j < count && from < 0; j++) {
             bool same = (taken & 1U << j) == 0;
             for (int f = 0; f < v->count && same; f++)
-                same = is_same(v->y[f][k], v->exact[f][j]);
+                same = is_same(v, f, k, v->exact[f][j]);
             from = same ? j : -1;
         }
         if (from < 0)
@@ -58,96 +75,136 @@ static void permuted_outputs(const struct evidence *v, char *text, size_t size)
 
 /* ---- one output after another ---- */
 
-/* How far a number of turns is from a whole one. */
-static double part_of_a_turn(double turns)
+/* The angle that is nearest to a number, some turns away. */
+static double turned(double angle, double number)
 {
-    return fabs(turns - round(turns));
-}
-
-static bool turns(double y, double exact)
-{
-    const double off = (y - exact) / (2.0 * PI);
-    return is_same(y, exact) || (round(off) != 0.0 && part_of_a_turn(off) < 1e-9);
-}
-
-static bool from_the_other_axis(double y, double exact)
-{
-    return part_of_a_turn((y + exact - PI / 2.0) / (2.0 * PI)) < 1e-9 || (y == exact && exact == 0.0); /* atan2(0, 0) */
-}
-
-static bool is_nothing(double y, double exact)
-{
-    (void)exact;
-    return y == 0.0;
-}
-
-bool is_always(const struct evidence *v, int k, bool (*so)(double y, double exact))
-{
-    bool always = true;
-    for (int f = 0; f < v->count; f++)
-        always = always && so(v->y[f][k], v->exact[f][k]);
-    return always;
+    return angle + 2.0 * PI * round((number - angle) / (2.0 * PI));
 }
 
 /* Outputs that are wrong all in one way, where the others are right. */
 static void wrong_outputs(const struct evidence *v, char *text, size_t size)
 {
-    static const struct {
-        bool (*so)(double y, double exact);
-        const char *what;
-    } ways[] = {{turns, "differs by 2 pi: it lies from -pi to pi"}, {from_the_other_axis, "is that of atan2 with its arguments exchanged"},
-                {is_nothing, "all zeros"}};
+    static const char *const ways[] = {"differs by 2 pi: it lies from -pi to pi", "is that of atan2 with its arguments exchanged",
+                                       "lost the sign, as roots do without their conjugates", "all zeros"};
     for (size_t way = 0; way < sizeof ways / sizeof *ways; way++) {
         char names[240] = "";
         bool fits = true;
         for (int k = 0; k < v->section->output_count; k++) {
-            if (is_always(v, k, is_same))
+            if (is_right(v, k))
                 continue;
-            fits = fits && is_always(v, k, ways[way].so);
+            for (int f = 0; f < v->count; f++) {
+                const double y = v->y[f][k], exact = v->exact[f][k];
+                const double due[] = {turned(exact, y), turned(PI / 2.0 - exact, y), fabs(exact), 0.0};
+                fits = fits && (is_same(v, f, k, due[way]) || (y == 0.0 && exact == 0.0)); /* atan2(0, 0) */
+            }
             add_text(names, sizeof names, ", ", v->section->outputs[k]->name);
         }
         if (fits)
-            snprintf(text, size, "%s %s", names, ways[way].what);
+            snprintf(text, size, "%s %s", names, ways[way]);
     }
 }
 
-/* One constant in all that is wrong, in every vector. */
+/* ---- factors, and other inputs: a number in each vector ---- */
+
+/* Whether a power of it is a factor in all that is wrong. */
+static bool is_factor(const struct evidence *v, const double *number, double power)
+{
+    bool fits = true;
+    for (int k = 0; k < v->section->output_count; k++)
+        for (int f = 0; f < v->count && fits && !is_right(v, k); f++)
+            fits = is_same(v, f, k, v->exact[f][k] == 0.0 ? 0.0 : pow(number[f], power) * v->exact[f][k]);
+    return fits;
+}
+
+/* One constant, as the answer has it that is least disturbed by roundings. */
 static void constant_factor(const struct evidence *v, char *text, size_t size)
 {
-    double factor = NAN;
+    double factor[MOST_KEPT] = {NAN}, least = 1.0;
     for (int k = 0; k < v->section->output_count; k++)
-        for (int f = 0; f < v->count && !is_always(v, k, is_same); f++) {
-            const double y = v->y[f][k], exact = v->exact[f][k];
-            factor = isnan(factor) && exact != 0.0 ? y / exact : factor;
-            if (!(exact == 0.0 ? y == 0.0 : is_same(y, factor * exact)))
-                return;
-        }
-    if (isnormal(factor))
-        snprintf(text, size, "a constant factor %.10g", factor);
+        for (int f = 0; f < v->count && !is_right(v, k); f++)
+            if (v->tolerance[f][k] < least && v->exact[f][k] != 0.0) {
+                least = v->tolerance[f][k];
+                factor[0] = v->y[f][k] / v->exact[f][k];
+            }
+    for (int f = 1; f < v->count; f++)
+        factor[f] = factor[0];
+    if (isnormal(factor[0]) && is_factor(v, factor, 1.0))
+        snprintf(text, size, "a constant factor %.10g", factor[0]);
 }
 
-/* Four roots, each in its place, of whose imaginary parts the sizes alone are left. */
-static void lost_conjugates(const struct evidence *v, char *text, size_t size)
+/* Whether the operation was done with it in place of an input, and with that one in place of the other. */
+static bool is_input(const struct evidence *v, int input, int other, const double *number)
 {
-    for (int f = 0; f < v->count; f++)
-        for (int k = 0; k < 8; k += 2) {
-            const double re = v->exact[f][k], im = v->exact[f][k + 1];
-            if (v->section->method != METHOD_ROOTS || hypot(v->y[f][k] - re, v->y[f][k + 1] - fabs(im)) > 1e-6 * hypot(re, im))
-                return;
-        }
-    snprintf(text, size, "conjugates are missing: the imaginary parts have lost their signs");
+    bool fits = true;
+    for (int f = 0; f < v->count && fits; f++) {
+        double x[MOST_INPUTS], made[MOST_OUTPUTS];
+        memcpy(x, v->x[f], sizeof x);
+        x[other] = x[input];
+        x[input] = number[f];
+        reference_find(v->section->id)(x, made);
+        for (int k = 0; k < v->section->output_count; k++)
+            fits = fits && is_same(v, f, k, made[k]);
+    }
+    return fits;
 }
 
-bool kind_of_formula(const struct evidence *v, char *text, size_t size)
+/* Powers of an input, of the masses and of their sum, and what is added; in words, after the input's where it takes part. */
+struct guess {
+    const char *words;
+    double power, m1, m2, sum, plus;
+};
+enum { FACTORS = 7 };
+static const struct guess guesses[] = {
+    {"m1*m2/(m1 + m2)", 0, 1, 1, -1, 0}, {"m1/(m1 + m2)", 0, 1, 0, -1, 0}, {"m2/(m1 + m2)", 0, 0, 1, -1, 0}, {"m1/m2", 0, 1, -1, 0, 0},
+    {"", 1, 0, 0, 0, 0}, {"^2", 2, 0, 0, 0, 0}, {"^3", 3, 0, 0, 0, 0},
+    /* in place of the input */
+    {" + 1", 1, 0, 0, 0, 1}, {" - 1", 1, 0, 0, 0, -1}, {"*m1*m2/(m1 + m2)", 1, 1, 1, -1, 0}, {"*(m1*m2/(m1 + m2))^2", 1, 2, 2, -2, 0},
+    {"/(m1*m2/(m1 + m2))", 1, -1, -1, 1, 0}, {"/(m1*m2/(m1 + m2))^2", 1, -2, -2, 2, 0}};
+
+/* NaN where it needs masses that the operation does not have: no power but the zeroth makes a number of one. */
+static double guessed(const struct guess *g, const struct section *s, const double *x, int input)
 {
-    static void (*const kinds[])(const struct evidence *, char *, size_t) = {lost_conjugates, wrong_outputs, fixed_decimals, permuted_outputs,
-                                                                            constant_factor};
+    const int places[] = {input_place(s, "m1"), input_place(s, "m2")};
+    const double m1 = places[0] < 0 ? NAN : x[places[0]], m2 = places[1] < 0 ? NAN : x[places[1]];
+    return pow(x[input], g->power) * pow(m1, g->m1) * pow(m2, g->m2) * pow(m1 + m2, g->sum) + g->plus;
+}
+
+/* What the masses make, or a power of an input, in what is wrong; one input off by one, or with such a factor; two exchanged. */
+static void by_names(const struct evidence *v, char *text, size_t size)
+{
+    const struct section *s = v->section;
+    double number[MOST_KEPT];
+    for (int i = 0; i < s->input_count; i++) {
+        const char *input = s->inputs[i]->name;
+        for (size_t g = 0; g < sizeof guesses / sizeof *guesses && *text == '\0'; g++) {
+            const char *name = guesses[g].power > 0.0 ? input : "", *words = guesses[g].words;
+            for (int f = 0; f < v->count; f++)
+                number[f] = guessed(&guesses[g], s, v->x[f], i);
+            if (g >= FACTORS && is_input(v, i, i, number))
+                snprintf(text, size, "%s%s in place of %s", name, words, input);
+            else if (g < FACTORS && is_factor(v, number, 1.0))
+                snprintf(text, size, "a factor %s%s too many", name, words);
+            else if (g < FACTORS && is_factor(v, number, -1.0))
+                snprintf(text, size, "a factor %s%s is missing", name, words);
+        }
+        for (int other = i + 1; other < s->input_count && *text == '\0'; other++) {
+            for (int f = 0; f < v->count; f++)
+                number[f] = v->x[f][other];
+            if (is_input(v, i, other, number))
+                snprintf(text, size, "the inputs %s and %s exchanged", input, s->inputs[other]->name);
+        }
+    }
+}
+
+void kind_of_formula(const struct evidence *v, char *text, size_t size)
+{
+    static void (*const kinds[])(const struct evidence *, char *, size_t) = {wrong_outputs, fixed_decimals, permuted_outputs, constant_factor, by_names};
     int wrong = 0;
     bool differ = true;
     for (int f = 0; f < v->count; f++) {
         bool right = true;
         for (int k = 0; k < v->section->output_count; k++)
-            right = right && is_same(v->y[f][k], v->exact[f][k]);
+            right = right && is_same(v, f, k, v->exact[f][k]);
         wrong += !right;
     }
     for (int i = 0; i < v->section->input_count; i++) {
@@ -156,9 +213,6 @@ bool kind_of_formula(const struct evidence *v, char *text, size_t size)
             same = same && v->x[f][i] == v->x[0][i];
         differ = differ && !same;
     }
-    if (wrong < 2 || !differ)
-        return false;
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds && *text == '\0'; i++)
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds && wrong > 1 && differ && *text == '\0'; i++)
         kinds[i](v, text, size);
-    return true;
 }

@@ -15,17 +15,17 @@ struct evidence {
     int count;
     const struct record *records[MOST_KEPT];
     double x[MOST_KEPT][MOST_INPUTS], y[MOST_KEPT][MOST_OUTPUTS], exact[MOST_KEPT][MOST_OUTPUTS];
+    double tolerance[MOST_KEPT][MOST_OUTPUTS]; /* of what is the same but for roundings, relative */
 };
 
-/* Equal but for so little that no mistake of a formula makes it; and whether an output is so in every vector. */
-bool is_same(double a, double b);
-bool is_always(const struct evidence *v, int output, bool (*so)(double y, double exact));
+/* So little that no mistake of a formula makes it, relative, where roundings of the inputs do S; never more than tells nothing. */
+double alike_within(double exact, double S, int significand);
 
 /*
- * Of what an operation's formulas or roots come to; false where too little is wrong to tell anything: in one vector, or where
+ * Of what an operation's formulas or roots come to. Nothing where too little is wrong to tell anything: in one vector, or where
  * the others have lost digits alone, or an input is the same in all, which may be what a factor is made of.
  */
-bool kind_of_formula(const struct evidence *v, char *text, size_t size);
+void kind_of_formula(const struct evidence *v, char *text, size_t size);
 
 /* Of a motion: the integrator, its step, the sign of a term. */
 void kind_of_motion(const struct evidence *v, char *text, size_t size);
