@@ -1140,13 +1140,13 @@ static void answered_so(struct evidence *v, struct record *records, struct opera
     for (int f = 0; f < v->count; f++) {
         sample(o, 3, (uint64_t)f, v->x[f], inputs);
         operation_enclose(o, inputs, 128, y);
-        for (int k = 0; k < o->section->output_count; k++) {
-            v->exact[f][k] = arf_get_d(arb_midref(y + k), ARF_RND_NEAR);
-            v->tolerance[f][k] = 1e-9;
-        }
-        operation_enclose(&wrong, inputs, 128, y);
         for (int k = 0; k < o->section->output_count; k++)
+            v->exact[f][k] = arf_get_d(arb_midref(y + k), ARF_RND_NEAR);
+        operation_enclose(&wrong, inputs, 128, y);
+        for (int k = 0; k < o->section->output_count; k++) {
             v->y[f][k] = arf_get_d(arb_midref(y + k), ARF_RND_NEAR);
+            v->tolerance[f][k] = 1e-9 * fabs(v->y[f][k]);
+        }
         records[f] = (struct record){.outcome = OUTCOME_WRONG};
         snprintf(records[f].text, sizeof records[f].text, "%.17e", v->y[f][0]);
         v->records[f] = &records[f];

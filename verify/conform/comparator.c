@@ -18,6 +18,31 @@ bool is_motion(const struct section *s)
     return s->method != METHOD_NONE && !operation_has_sensitivity(s);
 }
 
+double motion_unit(const struct section *s, const double *inputs, int coordinate)
+{
+    const bool linear = s->method == METHOD_FLOW_LINEAR || s->method == METHOD_RK4_LINEAR;
+    const double length = linear && coordinate % 3 < 2 ? 1.0 : inputs[input_place(s, "L_ref")];
+    return length * (coordinate < 3 ? 1.0 : inputs[input_place(s, "Omega")]);
+}
+
+void match_roots(const double due[8], const double roots[8], int order[4])
+{
+    for (int k = 0; k < 4; k++)
+        order[k] = k;
+    for (int k = 0; k < 4; k++) {
+        int best = k;
+        double least = INFINITY;
+        for (int i = k; i < 4; i++) {
+            const double off = hypot(roots[2 * order[i]] - due[2 * k], roots[2 * order[i] + 1] - due[2 * k + 1]);
+            best = off < least ? i : best;
+            least = fmin(least, off);
+        }
+        const int root = order[best];
+        order[best] = order[k];
+        order[k] = root;
+    }
+}
+
 void comparator_init(struct comparator *j, struct operation *o, int significand, double digits)
 {
     *j = (struct comparator){.operation = o, .significand = significand, .K = o->section->K, .digits = digits,

@@ -52,6 +52,12 @@ struct score {
 
 bool is_motion(const struct section *s);
 
+/* In what a coordinate of a motion is counted: angles as they are, lengths in L_ref, rates by radians of orbit. */
+double motion_unit(const struct section *s, const double *inputs, int coordinate);
+
+/* Four roots, each as two numbers: the place among all of the one that stands beside each that is due, the nearest that is left. */
+void match_roots(const double due[8], const double roots[8], int order[4]);
+
 /* Of inputs or outputs the first of the three, one after another, that are the components of a vector, that one among them; -1: none. */
 int vector_of(const struct quantity *const *all, int count, int which);
 

@@ -42,7 +42,6 @@ struct summary {
     enum outcome line_outcome;
     char reason[120];                    /* the first one for a skip                                               */
     char diagnosis[400];                 /* what the failures look like, "" when nothing known                     */
-    bool hurried;                        /* ... and not all that is known was tried                                */
 };
 
 /* Lines of a kind that answer nothing. */

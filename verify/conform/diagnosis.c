@@ -8,6 +8,7 @@
 
 #include "conform/kinds.h"
 #include "evaluate/reference.h"
+#include "evaluate/sample.h"
 #include "evaluate/vectors.h"
 #include "formula/exact.h"
 #include "sheet/known_mistakes.h"
@@ -78,9 +79,7 @@ static const struct input *inputs_of(struct mutant *x, const struct input *input
     return rational ? x->inputs : NULL;
 }
 
-static const double SHORT = 10.0;
-
-/* Beyond ten hours a motion tells the same mistakes at a higher price; such vectors show what errors grow to. */
+/* After so many hours a motion tells no other mistakes; such vectors show what errors grow to. */
 static bool is_longer(const struct section *s, const struct input *inputs, double hours)
 {
     return is_motion(s) && fabs(fmpq_get_d(&inputs[input_place(s, "t")].value)) > 3600.0 * hours;
@@ -88,30 +87,8 @@ static bool is_longer(const struct section *s, const struct input *inputs, doubl
 
 /* ---- diagnosis ---- */
 
-/* Seconds of processor time for an operation: for the known mistakes, and with what they leave for all. */
-static const double PATIENCE_FOR_KNOWN = 0.7, PATIENCE = 1.0;
-
-/* Whether the mutant makes of the question what was answered, or, where that is right, nothing that is wrong there. */
-static bool explains(struct mutant *x, const struct test_run *e, const struct record *f, const struct test_vector *q,
-                     double digits)
-{
-    struct score score;
-    const struct input *inputs = q->numbers ? inputs_of(x, q->inputs) : NULL;
-    const bool inside = inputs != NULL && operation_valid(&x->o, inputs);
-    if (!f->has_values || !inside) /* `invalid` was said, or is due */
-        return !f->has_values && !inside;
-    OWNED(comparator) j;
-    comparator_init(&j, &x->o, e->significand, digits);
-    j.once = true; /* what is to explain the answer cannot need more than the truth */
-    for (int i = 0; i < x->o.section->output_count; i++)
-        arb_set_d(j.y + i, f->values[i]);
-    if (f->outcome == OUTCOME_RIGHT)
-        return compare_answer(&j, inputs, &score) != OUTCOME_WRONG;
-    if (f->outcome == OUTCOME_WRONG || f->outcome == OUTCOME_VALUE)
-        return compare_answer(&j, inputs, &score) == OUTCOME_RIGHT;
-    return operation_enclose(&x->o, inputs, 128, j.exact) == OPERATION_PROVED &&
-           !_arb_vec_is_finite(j.exact, x->o.section->output_count); /* no number there either */
-}
+/* Seconds of processor time for an operation. */
+static const double PATIENCE = 1.0;
 
 /* Failures of these outcomes. */
 static uint64_t failures(const struct summary *t, enum outcome first, enum outcome last)
@@ -122,116 +99,91 @@ static uint64_t failures(const struct summary *t, enum outcome first, enum outco
     return count;
 }
 
-/* No more is wrong than that values stand where `invalid` is due. */
-static bool is_domain_alone(const struct summary *t)
-{
-    return failures(t, OUTCOME_WRONG, OUTCOME_INVALID) == 0 && t->counts[OUTCOME_VALUE] > 0;
-}
-
-/* What is diagnosed: the failures of an operation, until a time. */
-struct patient {
-    const struct test_run *e;
-    struct summary *t;
-    const struct section *section;
-    double digits; /* that a motion is due */
-    clock_t until; /* of processor time    */
-};
-
 /*
- * All failures that formulas can explain, two at least, and nothing that passes speaks against it; what is refused may do so only where
- * the domain is all that fails: else a client may check it first. Of a motion the long ones are tried where no others fail.
+ * What was answered, with the truth as ref/ has it. What is to be refused may speak only where the domain is all that fails: else a
+ * client may check it first.
  */
-static bool explains_all(struct mutant *x, const struct patient *p)
+static void gather(struct evidence *v, struct test_run *e, int set, bool domain)
 {
-    const struct summary *t = p->t;
-    const bool domain = is_domain_alone(t);
-    int explained = 0;
-    bool all = true;
-    TEST_VECTOR(q);
-    for (int pass = 0; pass < 2 && explained == 0 && all; pass++)
-        for (int i = 0; i < t->kept_count && all; i++) {
-            const struct record *r = &t->kept[i];
-            const bool right = r->outcome == OUTCOME_RIGHT;
-            if (right ? !r->has_values && !domain : r->outcome > (domain ? OUTCOME_VALUE : OUTCOME_INVALID))
-                continue;
-            test_vector_make(&q, &p->e->sets, r->position);
-            if ((pass == 0 || right) && q.numbers && is_longer(q.set->operation.section, q.inputs, SHORT))
-                continue;
-            all = clock() <= p->until && explains(x, p->e, r, &q, p->digits);
-            explained += !right;
-        }
-    return all && explained > 1;
-}
-
-/* Says so where that mistake (NULL: the print) explains all. */
-static void try_mistake(const struct patient *p, const struct known_mistake *m, const char *kind)
-{
-    struct mutant x;
-    char *text = p->t->diagnosis;
-    if (!mutant_init(&x, p->section, m))
-        return;
-    x.o.until = p->until;
-    if (explains_all(&x, p)) {
-        add_text(text, sizeof p->t->diagnosis, "; or ", kind);
-        add_text(text, sizeof p->t->diagnosis, "", m != NULL ? m->name : p->section->reason);
-    }
-    mutant_clear(&x);
-}
-
-/* ---- what no sheet lists ---- */
-
-/* What was answered in numbers, with the truth as ref/ has it: what failed, then what passes, of which the answer is as good. */
-static void gather(struct evidence *v, const struct patient *p)
-{
-    struct operation *o = &p->e->sets.all[p->t - p->e->summaries].operation;
-    const struct section *s = p->section;
+    const struct summary *t = &e->summaries[set];
+    struct operation *o = e->comparators[set].operation;
+    const struct section *s = o->section;
     TEST_VECTOR(q);
     VECTOR(arb, S, MOST_OUTPUTS);
-    *v = (struct evidence){.section = s, .until = p->until, .digits = p->digits};
-    for (int i = 0; i < p->t->kept_count; i++) {
-        const struct record *r = &p->t->kept[i];
-        const bool right = r->outcome == OUTCOME_RIGHT && r->has_values;
-        double *y = v->y[v->count], *exact = v->exact[v->count];
-        test_vector_make(&q, &p->e->sets, r->position);
-        if ((r->outcome != OUTCOME_WRONG && !right) || is_longer(s, q.inputs, 12.0))
-            continue;
+    *v = (struct evidence){.section = s, .until = clock() + (clock_t)(PATIENCE * CLOCKS_PER_SEC), .digits = e->comparators[set].digits};
+    for (int i = 0; i < t->kept_count; i++) {
+        const struct record *r = &t->kept[i];
+        const int f = v->count;
+        test_vector_make(&q, &e->sets, r->position);
         for (int k = 0; k < s->input_count; k++)
-            v->x[v->count][k] = q.inputs[k].infinite ? INFINITY : fmpq_get_d(&q.inputs[k].value);
-        reference_find(s->id)(v->x[v->count], exact);
-        memcpy(y, right && !is_motion(s) ? exact : r->values, sizeof v->y[0]); /* the same but for roundings */
-        if (!is_motion(s))
+            v->x[f][k] = !q.numbers ? NAN : q.inputs[k].infinite ? INFINITY : fmpq_get_d(&q.inputs[k].value);
+        reference_find(s->id)(v->x[f], v->exact[f]);
+        const bool outside = isnan(v->exact[f][0]);
+        if (r->outcome > (domain ? OUTCOME_VALUE : OUTCOME_INVALID) || (outside && !domain) || (!outside && is_longer(s, q.inputs, 12.0)))
+            continue;
+        if (!outside && !is_motion(s))
             operation_sensitivity(o, q.inputs, 128, S);
         for (int k = 0; k < s->output_count; k++)
-            v->tolerance[v->count][k] = alike_within(exact[k], arf_get_d(arb_midref(S + k), ARF_RND_NEAR), p->e->significand);
+            v->y[f][k] = r->has_values && (r->outcome <= OUTCOME_WRONG || r->outcome == OUTCOME_VALUE) ? r->values[k] : NAN;
+        for (int k = 0; k < s->output_count; k++)
+            v->tolerance[f][k] = tolerance_of(v, f, k, arf_get_d(arb_midref(S + k), ARF_RND_NEAR), e->significand);
+        v->failing += r->outcome != OUTCOME_RIGHT;
         v->records[v->count++] = r;
     }
 }
 
-static void diagnose_kind(const struct patient *p)
+/* Whether the mutant makes of all inputs what was answered. */
+static bool explains(struct mutant *x, const struct evidence *v)
 {
-    struct evidence *v = xrealloc(NULL, 1, sizeof *v);
-    gather(v, p);
-    (is_motion(p->section) ? kind_of_motion : kind_of_formula)(v, p->t->diagnosis, sizeof p->t->diagnosis);
-    free(v);
+    const struct section *s = v->section;
+    bool all = true;
+    INPUTS(inputs);
+    VECTOR(arb, y, MOST_OUTPUTS);
+    for (int f = 0; f < v->count && all; f++) {
+        double made[MOST_OUTPUTS] = {NAN}, values[MOST_INPUTS];
+        const struct input *done = inputs_of_values(s, v->x[f], inputs) ? inputs_of(x, inputs) : NULL;
+        const bool inside = done != NULL && operation_valid(&x->o, done);
+        for (int i = 0; i < x->o.section->input_count && inside && x->transforms; i++)
+            values[i] = done[i].infinite ? INFINITY : fmpq_get_d(&done[i].value);
+        if (inside && x->transforms)
+            reference_find(x->o.section->id)(values, made);
+        else if (inside)
+            operation_enclose(&x->o, done, 128, y);
+        for (int k = 0; k < s->output_count && inside && !x->transforms; k++)
+            made[k] = arb_is_finite(y + k) ? arf_get_d(arb_midref(y + k), ARF_RND_NEAR) : NAN;
+        all = is_answer(v, f, made);
+    }
+    return all;
+}
+
+/* Says so where that mistake (NULL: the print) explains all. */
+static void try_mistake(const struct evidence *v, const struct known_mistake *m, char *text, size_t size)
+{
+    struct mutant x;
+    if (!mutant_init(&x, v->section, m))
+        return;
+    if (explains(&x, v)) {
+        add_text(text, size, "; or ", m != NULL ? "a known mistake: " : "the paper's misprint: ");
+        add_text(text, size, "", m != NULL ? m->name : v->section->reason);
+    }
+    mutant_clear(&x);
 }
 
 void diagnose(struct test_run *e, int set)
 {
     struct summary *t = &e->summaries[set];
-    const struct section *s = e->comparators[set].operation->section;
-    const clock_t start = clock();
-    struct patient p = {e, t, s, e->comparators[set].digits, start + (clock_t)(PATIENCE_FOR_KNOWN * CLOCKS_PER_SEC)};
+    const bool domain = failures(t, OUTCOME_WRONG, OUTCOME_INVALID) == 0 && t->counts[OUTCOME_VALUE] > 0; /* no more is wrong */
     const bool nan = t->nans > 0 && t->nans == t->counts[OUTCOME_VALUE]; /* the word is missing, and not the check */
-    const bool several = failures(t, OUTCOME_WRONG, OUTCOME_VALUE) > 1; /* one vector alone tells nothing */
-    for (int k = 0; k < mistake_count(s) && several && !(nan && is_domain_alone(t)); k++)
-        try_mistake(&p, mistake_at(s, k), k == 0 ? "the paper's misprint: " : "a known mistake: ");
-    t->hurried = clock() > p.until;
-    p.until = start + (clock_t)(PATIENCE * CLOCKS_PER_SEC);
-    if (t->diagnosis[0] == '\0' && several)
-        diagnose_kind(&p);
+    struct evidence *v = xrealloc(NULL, 1, sizeof *v);
+    gather(v, e, set, domain);
+    for (int k = 0; k < mistake_count(v->section) && v->failing > 1 && !(nan && domain); k++)
+        try_mistake(v, mistake_at(v->section, k), t->diagnosis, sizeof t->diagnosis);
+    if (t->diagnosis[0] == '\0' && v->failing > 1 && !domain)
+        (is_motion(v->section) ? kind_of_motion : kind_of_formula)(v, t->diagnosis, sizeof t->diagnosis);
+    free(v);
     if (nan)
         add_text(t->diagnosis, sizeof t->diagnosis, "; and ", "nan where `invalid` is due");
-    else if (t->counts[OUTCOME_VALUE] > 1 && t->counts[OUTCOME_INVALID] == 0 && (!is_domain_alone(t) || t->diagnosis[0] == '\0'))
+    else if (t->counts[OUTCOME_VALUE] > 1 && t->counts[OUTCOME_INVALID] == 0 && (!domain || t->diagnosis[0] == '\0'))
         add_text(t->diagnosis, sizeof t->diagnosis, "; and ", "not all inputs outside the domain are refused");
 }
 
@@ -284,7 +236,7 @@ static bool print_kills(void *context, struct operation *o, const char *id, cons
     const bool inside = numbers && operation_valid(k->comparator->operation, k->inputs);
     int killed = 0;
     k->comparator->followed = false;
-    if (inside && is_longer(o->section, k->inputs, SHORT))
+    if (inside && is_longer(o->section, k->inputs, 10.0))
         return true;
     for (int i = 0; i < k->count && numbers; i++)
         if (mistake_told(k, i, inside)) {

@@ -8,16 +8,37 @@
 
 static const double PI = 3.14159265358979323846;
 
-double alike_within(double exact, double S, int significand)
+double tolerance_of(const struct evidence *v, int f, int k, double S, int significand)
 {
-    return fmin(fmax(1e-9, ldexp(64.0, -significand)) * (exact == 0.0 && S == 0.0 ? 1.0 : 1.0 + S / fabs(exact)), 2.0);
+    const struct section *s = v->section;
+    const double *y = v->y[f], *exact = v->exact[f];
+    const double roundings = S == 0.0 ? 1.0 : 1.0 + S / fabs(exact[k]);
+    double size = 0.0;
+    if (!is_motion(s))
+        return isfinite(roundings) ? fmax(1e-9, ldexp(64.0, -significand)) * roundings * fabs(y[k]) : INFINITY;
+    for (int i = 0; i < s->output_count; i++)
+        size = fmax(size, fmax(fabs(y[i]), fabs(exact[i])) / motion_unit(s, v->x[f], i));
+    return 2.0 * pow(10.0, -fmin(v->digits, 9.0)) * size * motion_unit(s, v->x[f], k);
 }
 
-/* Whether an answer is that number, and whether an output is right in every vector. */
+/* Whether an answer is that number, if it is one; and whether an output is right in every vector. */
 static bool is_same(const struct evidence *v, int f, int k, double number)
 {
     const double y = v->y[f][k];
-    return fabs(y - number) <= v->tolerance[f][k] * fmax(fabs(y), fabs(number));
+    return isnan(y) || fabs(y - number) <= v->tolerance[f][k];
+}
+
+bool is_answer(const struct evidence *v, int f, const double *made)
+{
+    bool numbers = true, same = true;
+    int order[] = {0, 1, 2, 3};
+    if (v->section->method == METHOD_ROOTS)
+        match_roots(v->y[f], made, order);
+    for (int k = 0; k < v->section->output_count; k++) {
+        numbers = numbers && isfinite(made[k]);
+        same = same && is_same(v, f, k, v->section->method == METHOD_ROOTS ? made[2 * order[k / 2] + k % 2] : made[k]);
+    }
+    return isnan(v->y[f][0]) ? !numbers : numbers && same;
 }
 
 static bool is_right(const struct evidence *v, int k)
@@ -36,6 +57,8 @@ static void fixed_decimals(const struct evidence *v, char *text, size_t size)
     int decimals = 0;
     for (int f = 0; f < v->count; f++) {
         const char *word = v->records[f]->text;
+        if (isnan(v->y[f][0]))
+            continue;
         for (int k = 0; k < v->section->output_count; k++, word += strcspn(word, " "), word += strspn(word, " ")) {
             const char *point = word + strcspn(word, ". ");
             const int length = (int)strspn(point + (*point == '.'), "0123456789");
@@ -122,8 +145,8 @@ static void constant_factor(const struct evidence *v, char *text, size_t size)
     double factor[MOST_KEPT] = {NAN}, least = 1.0;
     for (int k = 0; k < v->section->output_count; k++)
         for (int f = 0; f < v->count && !is_right(v, k); f++)
-            if (v->tolerance[f][k] < least && v->exact[f][k] != 0.0) {
-                least = v->tolerance[f][k];
+            if (v->tolerance[f][k] < least * fabs(v->y[f][k]) && v->exact[f][k] != 0.0) {
+                least = v->tolerance[f][k] / fabs(v->y[f][k]);
                 factor[0] = v->y[f][k] / v->exact[f][k];
             }
     for (int f = 1; f < v->count; f++)
@@ -142,8 +165,7 @@ static bool is_input(const struct evidence *v, int input, int other, const doubl
         x[other] = x[input];
         x[input] = number[f];
         reference_find(v->section->id)(x, made);
-        for (int k = 0; k < v->section->output_count; k++)
-            fits = fits && is_same(v, f, k, made[k]);
+        fits = is_answer(v, f, made);
     }
     return fits;
 }

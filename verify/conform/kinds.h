@@ -7,19 +7,22 @@
 
 #include "conform/conform.h"
 
-/* The failing vectors of a summary that were answered in numbers, and those that pass: all as binary64, the truth too. */
+/* The vectors of a summary that a mistake has to explain, all as binary64, the truth too: NaN where no number was answered, or is due. */
 struct evidence {
     const struct section *section;
-    clock_t until;               /* of processor time, when no more is tried */
-    double digits;               /* that a motion is due                     */
-    int count;
+    clock_t until;      /* of processor time, when no more is tried */
+    double digits;      /* that a motion is due                     */
+    int count, failing;
     const struct record *records[MOST_KEPT];
     double x[MOST_KEPT][MOST_INPUTS], y[MOST_KEPT][MOST_OUTPUTS], exact[MOST_KEPT][MOST_OUTPUTS];
-    double tolerance[MOST_KEPT][MOST_OUTPUTS]; /* of what is the same but for roundings, relative */
+    double tolerance[MOST_KEPT][MOST_OUTPUTS]; /* of what is the same but for roundings */
 };
 
-/* So little that no mistake of a formula makes it, relative, where roundings of the inputs do S; never more than tells nothing. */
-double alike_within(double exact, double S, int significand);
+/* So little that no mistake of a formula makes it, where roundings of the inputs do S; infinite where these make anything of it. */
+double tolerance_of(const struct evidence *v, int f, int k, double S, int significand);
+
+/* Whether that is what was answered, roots in whatever order, and no number where none was. */
+bool is_answer(const struct evidence *v, int f, const double *made);
 
 /*
  * Of what an operation's formulas or roots come to. Nothing where too little is wrong to tell anything: in one vector, or where

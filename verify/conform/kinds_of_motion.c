@@ -74,12 +74,12 @@ static void integrate(const struct hypothesis *p, const double *x, double steps,
         take_step(p, x, signs, initial[-1] / steps, y);
 }
 
-/* The largest difference of two states, lengths over L_ref and time in radians; infinite where one is no number. */
-static double state_distance(const struct hypothesis *p, const double *x, const double a[6], const double b[6])
+/* The largest difference of two states; infinite where one is no number. */
+static double state_distance(const struct evidence *v, int f, const double a[6], const double b[6])
 {
     double most = 0.0;
     for (int i = 0; i < 6; i++) {
-        const double off = fabs(a[i] - b[i]) / ((p->linear && i % 3 < 2 ? 1.0 : x[p->linear ? 1 : 4]) * (i < 3 ? 1.0 : x[0]));
+        const double off = fabs(a[i] - b[i]) / motion_unit(v->section, v->x[f], i);
         most = isnan(off) ? INFINITY : fmax(most, off);
     }
     return most;
@@ -92,8 +92,8 @@ static bool ends_there(const struct evidence *v, int f, const struct hypothesis 
     const double *x = v->x[f];
     double y[6];
     integrate(p, x, steps, y);
-    const double off = state_distance(p, x, y, v->y[f]), was = state_distance(p, x, v->exact[f], v->y[f]);
-    const double scale = fmax(state_distance(p, x, x + (p->linear ? 5 : 8), nowhere), state_distance(p, x, v->exact[f], nowhere));
+    const double off = state_distance(v, f, y, v->y[f]), was = state_distance(v, f, v->exact[f], v->y[f]);
+    const double scale = fmax(state_distance(v, f, x + (p->linear ? 5 : 8), nowhere), state_distance(v, f, v->exact[f], nowhere));
     if (v->records[f]->outcome == OUTCOME_RIGHT)
         return off <= 2.0 * pow(10.0, -v->digits) * scale;
     return off <= fmin(0.1 * was, fmax(1e-3 * was, 1e-12 * scale)); /* binary64 loses three digits in thousands of steps */
@@ -108,7 +108,7 @@ static bool fits_all(const struct evidence *v, const struct hypothesis *p)
     bool two = false;
     for (int f = 0; f < v->count; f++) {
         const double t = fabs(v->x[f][at]), steps = round(t / p->step / (p->in_h ? v->x[f][at + 7] : 1.0));
-        if (!(steps >= 1.0 && steps <= MOST_FOLLOWED))
+        if (!(steps >= 1.0 && steps <= MOST_FOLLOWED) || isnan(v->y[f][0]))
             continue;
         if (clock() >= v->until || !ends_there(v, f, p, steps))
             return false;

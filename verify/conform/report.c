@@ -88,23 +88,13 @@ int first_wrong_digit(const char *got, const char *expected)
 {
     const int sign = (int)strspn(got, "+-"), end = (int)strcspn(got, "eE"), lead = sign + (int)strspn(got + sign, "0.");
     const int point = (int)strcspn(got, ".");
-    int at = -1;
-    mpfr_t is, off;
-    mpfr_inits2(256, is, off, (mpfr_ptr)NULL);
-    if (strpbrk(got, "xXnN") == NULL && mpfr_set_str(is, got, 10, MPFR_RNDN) == 0 && mpfr_set_str(off, expected, 10, MPFR_RNDN) == 0 &&
-        mpfr_cmp(is, off) != 0) {
-        mpfr_sub(off, is, off, MPFR_RNDN);
-        mpfr_abs(is, is, MPFR_RNDN);
-        mpfr_abs(off, off, MPFR_RNDN);
-        mpfr_log10(is, is, MPFR_RNDN);
-        mpfr_log10(off, off, MPFR_RNDN);
-        const double places = floor(mpfr_get_d(is, MPFR_RNDN)) - floor(mpfr_get_d(off, MPFR_RNDN) + 1e-6); /* but for what inputs are rounded */
-        at = places >= 0.0 ? lead + (int)fmin(places, end) : sign;
-        at += lead < point && at >= point;
-        at = lead >= end || at > end ? end : at;
-    }
-    mpfr_clears(is, off, (mpfr_ptr)NULL);
-    return at;
+    const double is = strtod(got, NULL), off = fabs(is - strtod(expected, NULL));
+    if (strpbrk(got, "xXnN") != NULL || off == 0.0)
+        return -1;
+    const double places = floor(log10(fabs(is))) - floor(log10(off) + 1e-6); /* but for what inputs are rounded */
+    int at = places >= 0.0 ? lead + (int)fmin(places, end) : sign;
+    at += lead < point && at >= point;
+    return lead >= end || at > end ? end : at;
 }
 
 /* ---- one vector ---- */
@@ -121,30 +111,24 @@ struct exhibit {
     bool marked[MOST_OUTPUTS];    /* it is what is wrong                         */
 };
 
-/* How far the root that was answered in one place is from that due in another. */
-static double root_distance(const struct exhibit *x, int got, int due)
+/* Roots are a set: each that was answered stands beside the one that it is nearest to; those that are far off are what is wrong. */
+static void pair_roots(struct exhibit *x, const struct record *r)
 {
-    return hypot(strtod(x->got[got], NULL) - strtod(x->expected[due], NULL),
-                 strtod(x->got[got + 1], NULL) - strtod(x->expected[due + 1], NULL));
-}
-
-/* Roots are a set: each that was answered stands beside the nearest one that is left; those that are far off are what is wrong. */
-static void match_roots(struct exhibit *x)
-{
-    double worst = 0.0;
-    for (int k = 0; k < 8; k += 2) {
-        int best = k;
-        for (int i = k; i < 8; i += 2)
-            best = root_distance(x, i, k) < root_distance(x, best, k) ? i : best;
-        for (int part = 0; part < 2; part++) {
-            char *other = x->got[k + part];
-            x->got[k + part] = x->got[best + part];
-            x->got[best + part] = other;
-        }
-        worst = fmax(worst, root_distance(x, k, k));
+    double due[8], off[8], worst = 0.0;
+    char *got[8];
+    int order[4];
+    memcpy(got, x->got, sizeof got);
+    for (int k = 0; k < 8; k++)
+        due[k] = strtod(x->expected[k], NULL);
+    match_roots(due, r->values, order);
+    for (int k = 0; k < 8; k++) {
+        const int from = 2 * order[k / 2] + k % 2;
+        x->got[k] = got[from];
+        off[k] = fabs(r->values[from] - due[k]);
+        worst = fmax(worst, off[k]);
     }
     for (int k = 0; k < 8; k++)
-        x->marked[k] = fabs(strtod(x->got[k], NULL) - strtod(x->expected[k], NULL)) > 1e-3 * worst;
+        x->marked[k] = off[k] > 1e-3 * worst;
 }
 
 static void exhibit_init(struct exhibit *x, const struct test_run *e, const struct record *r)
@@ -166,7 +150,7 @@ static void exhibit_init(struct exhibit *x, const struct test_run *e, const stru
         x->marked[i] = r->outcome == OUTCOME_WRONG && (is_motion(o->section) || i == r->score.output);
     if (o->section->method == METHOD_ROOTS && r->outcome == OUTCOME_WRONG && r->has_values && x->got[7] != NULL &&
         x->expected[0] != NULL)
-        match_roots(x);
+        pair_roots(x, r);
 }
 
 static void exhibit_clear(struct exhibit *x)
@@ -260,7 +244,6 @@ static void diagnosis_text(const struct summary *t, FILE *file)
 {
     if (t->diagnosis[0] != '\0')
         fprintf(file, "  looks like %s\n", t->diagnosis);
-    fputs(t->hurried ? "  not all known mistakes were tried, it would take too long\n" : "", file);
 }
 
 /* Lines that answer nothing, and an end that is none. */
