@@ -224,16 +224,10 @@ void decimal_shortest(char text[32], double x)
     const int first = (int)shortest_digits(digits, x), last = first + 1 - (int)strlen(digits);
     /* Simple readers take in 17 digits, zeros before the first of them too: a small number has all of its own within them. */
     const bool small = first < -4 || (int)strlen(digits) - first > 17;
-    if (small || first >= 16) {
+    if (small || first >= 16)
         write_scientific(text, digits, first);
-        return;
-    }
-    for (int power = FLINT_MAX(first, 0); power >= FLINT_MIN(last, 0); power--) {
-        if (power == -1)
-            *text++ = '.';
-        *text++ = power > first || power < last ? '0' : digits[first - power];
-    }
-    *text = '\0';
+    else /* where powers of two are decimals of so few digits themselves, and so the nearest ones */
+        snprintf(text, room, "%.*f", FLINT_MAX(-last, 0), x);
 }
 
 void decimal_bound(char text[32], double x)
