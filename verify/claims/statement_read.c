@@ -600,10 +600,7 @@ static bool read_statement(struct statements *all, const struct yaml *n)
 
 struct statement *statement_find(const struct statements *s, const char *id)
 {
-    for (int i = 0; i < s->count; i++)
-        if (strcmp(s->list[i].id, id) == 0)
-            return &s->list[i];
-    return NULL;
+    return NAMED(id, s->list, s->count, struct statement, id);
 }
 
 int statements_read(struct statements *s, const struct derivations *proofs, const struct source *source, struct message *why)

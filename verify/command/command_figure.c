@@ -67,10 +67,7 @@ static int print_motion_figure(const struct figure *f, const struct scenario *s,
 
 static const struct figure *motion_figure(const char *name)
 {
-    for (size_t i = 0; i < sizeof figures / sizeof *figures; i++)
-        if (strcmp(figures[i].name, name) == 0)
-            return &figures[i];
-    return NULL;
+    return NAMED(name, figures, sizeof figures / sizeof *figures, struct figure, name);
 }
 
 /* ---- Figure 4: the characteristic roots against n ---- */

@@ -204,10 +204,7 @@ int derivations_open(struct derivations *d, const struct paper *paper, struct me
 
 struct step *step_named(const struct derivations *d, const char *id)
 {
-    for (int i = 0; i < d->step_count; i++)
-        if (strcmp(d->steps[i].id, id) == 0)
-            return &d->steps[i];
-    return NULL;
+    return NAMED(id, d->steps, d->step_count, struct step, id);
 }
 
 void derivations_clear(struct derivations *d)

@@ -342,10 +342,7 @@ static const struct formulas *read_variant(struct parser *p, const struct sectio
 
 const struct section *definition_find(const struct definitions *d, const char *id)
 {
-    for (int i = 0; i < d->count; i++)
-        if (strcmp(d->sections[i].id, id) == 0)
-            return &d->sections[i];
-    return NULL;
+    return NAMED(id, d->sections, d->count, struct section, id);
 }
 
 const struct section *section_or_definition(const struct sheet *sheet, const struct definitions *d, const char *id)

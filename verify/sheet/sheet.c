@@ -31,18 +31,12 @@ void sheet_clear(struct sheet *s)
 
 const struct section *section_find(const struct sheet *s, const char *id)
 {
-    for (int i = 0; i < s->section_count; i++)
-        if (strcmp(s->sections[i].id, id) == 0)
-            return &s->sections[i];
-    return NULL;
+    return NAMED(id, s->sections, s->section_count, struct section, id);
 }
 
 const struct quantity *quantity_find(const struct sheet *s, const char *name)
 {
-    for (int i = 0; i < s->quantity_count; i++)
-        if (strcmp(s->quantities[i].name, name) == 0)
-            return &s->quantities[i];
-    return NULL;
+    return NAMED(name, s->quantities, s->quantity_count, struct quantity, name);
 }
 
 int quantity_place(const struct quantity *const *list, int count, const char *name)

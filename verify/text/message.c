@@ -90,3 +90,12 @@ const char *nearest_name(const char *mistaken, const void *known, size_t count, 
     }
     return nearest;
 }
+
+void *find_named(const char *name, const void *array, size_t count, size_t size, size_t member)
+{
+    char *item = (char *)array; /* the caller's, who may change it or not */
+    for (size_t i = 0; i < count; i++, item += size)
+        if (strcmp(*(const char **)(void *)(item + member), name) == 0)
+            return item;
+    return NULL;
+}

@@ -27,6 +27,10 @@ const char *nearest_name(const char *mistaken, const void *known, size_t count, 
 #define NEAREST(mistaken, array, count, member) \
     nearest_name(mistaken, (count) > 0 ? &(array)->member : NULL, (size_t)(count), sizeof *(array))
 
+/* The first struct of an array in which that member is the name; NULL: there is none. */
+void *find_named(const char *name, const void *array, size_t count, size_t size, size_t member);
+#define NAMED(key, array, count, type, member) find_named(key, array, (size_t)(count), sizeof(type), offsetof(type, member))
+
 /* One line on standard error and exit status 1. */
 __attribute__((noreturn)) void out_of_memory(void);
 
