@@ -107,13 +107,12 @@ static void evaluation_clear(struct evaluation *e)
 /* The formula in an arithmetic, z = 0 and inf infinite; its value. */
 static const void *evaluate(struct evaluation *e, const struct arithmetic *a, const char *text)
 {
-    size_t where;
     struct message why;
     SCOPE(fmpq, zero);
     program_init(&e->p);
     program_input(&e->p, "z");
     program_input(&e->p, "inf");
-    e->node = program_parse(&e->p, text, &where, &why);
+    e->node = program_parse(&e->p, text, &why);
     ck_assert_msg(e->node >= 0, "%s: %s", text, why.text);
     machine_init(&e->m, &e->p, a, 128);
     a->set_rational(machine_value(&e->m, 0), zero, 128);

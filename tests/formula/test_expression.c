@@ -70,7 +70,7 @@ static int parse(struct program *p, const char *formula, size_t *where, struct m
     program_init(p);
     for (int i = 0; i < COUNT(names); i++)
         program_input(p, names[i]);
-    return program_parse(p, formula, where, why);
+    return program_parse_with(p, formula, NULL, NULL, where, why);
 }
 
 static int parse_inputs(struct program *p, const char *formula)

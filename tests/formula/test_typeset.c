@@ -18,11 +18,10 @@ static void assert_typeset(const struct pair *pair)
     struct program p;
     struct message why = {""};
     struct tex t = {NULL, 0};
-    size_t where;
     program_init(&p);
     for (int i = 0; i < sheet()->quantity_count; i++)
         program_input(&p, sheet()->quantities[i].name);
-    const int node = program_parse(&p, pair->given, &where, &why);
+    const int node = program_parse(&p, pair->given, &why);
     ck_assert_msg(node >= 0, "%s: %s", pair->given, why.text);
     typeset_formula(&t, &p, node);
     ck_assert_str_eq(t.text, pair->expected);

@@ -75,7 +75,7 @@ void expression(const char *bytes, size_t size)
     for (int i = 0; i < sheet()->quantity_count; i++)
         program_input(&p, sheet()->quantities[i].name);
     const int one = program_input(&p, "one");
-    const int node = program_parse(&p, text, &where, &why);
+    const int node = program_parse_with(&p, text, NULL, NULL, &where, &why);
     if (node < 0)
         require_message(why.text);
     require(where <= strlen(text), "a place in the text", text);

@@ -31,11 +31,10 @@ static struct remainder_proof prove(const struct known *k)
     struct remainder r;
     struct remainder_proof proof;
     struct message why;
-    size_t where;
     program_init(&p);
     program_input(&p, "x");
     program_input(&p, "y");
-    const int node = program_parse(&p, k->formula, &where, &why);
+    const int node = program_parse(&p, k->formula, &why);
     ck_assert_msg(node >= 0, "%s", why.text);
     remainder_init(&r, &p, node);
     for (int i = 0; i < r.program.inputs; i++) {

@@ -7,12 +7,10 @@
 
 int program_slope(struct program *p, int node, int x)
 {
-    struct message why;
-    size_t where;
     const int inputs = p->inputs;
     int *rate = xrealloc(NULL, (size_t)inputs, sizeof *rate);
     memset(rate, -1, (size_t)inputs * sizeof *rate);
-    rate[x] = program_parse(p, "1", &where, &why);
+    rate[x] = program_parse(p, "1", NULL);
     const int slope = program_derivative(p, node, rate, inputs);
     free(rate);
     return slope;

@@ -107,9 +107,7 @@ struct formula_nodes {
 
 static int formula_node(struct program *p, const char *formula)
 {
-    size_t where;
-    struct message why;
-    return formula != NULL ? program_parse(p, formula, &where, &why) : -1;
+    return formula != NULL ? program_parse(p, formula, NULL) : -1;
 }
 
 static arb_srcptr value_of_node(struct machine *m, int node)

@@ -28,11 +28,9 @@ struct held_law {
 static void held_law_init(struct held_law *l, const struct derivations *steps, const arb_t c1, const arb_t c2, slong prec)
 {
     int rate[HELD_MOVING];
-    struct message why;
-    size_t where;
     program_copy(&l->program, &definition_find(&steps->definitions, "held_law")->corrected.program);
     for (int i = 0; i < HELD_MOVING; i++)
-        rate[i] = program_parse(&l->program, held_rates[i], &where, &why);
+        rate[i] = program_parse(&l->program, held_rates[i], NULL);
     l->met = program_find(&l->program, "met");
     l->slope = program_derivative(&l->program, l->met, rate, HELD_MOVING);
     machine_init(&l->machine, &l->program, &arithmetic_ball, prec);

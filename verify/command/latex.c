@@ -6,9 +6,7 @@
 /* One side of something: a formula that was understood when the sheet was read. */
 static void add_formula(struct tex *t, struct program *symbols, const char *text)
 {
-    struct message why;
-    size_t where;
-    typeset_formula(t, symbols, program_parse(symbols, text, &where, &why));
+    typeset_formula(t, symbols, program_parse(symbols, text, NULL));
 }
 
 /* "left SIGN right" with an alignment mark; the sign is the first of = > >= < in it. */

@@ -299,16 +299,17 @@ int parse_sum(struct parser *s)
     return sum;
 }
 
-int program_parse(struct program *p, const char *text, size_t *where, struct message *why)
+int program_parse(struct program *p, const char *text, struct message *why)
 {
-    return program_parse_with(p, text, NULL, NULL, where, why);
+    struct message unread;
+    size_t where;
+    return program_parse_with(p, text, NULL, NULL, &where, why != NULL ? why : &unread);
 }
 
 int program_parse_with(struct program *p, const char *text, reference_reader *reference, void *context,
                        size_t *where, struct message *why)
 {
-    struct parser s = {.program = p, .text = text, .at = text, .reference = reference, .context = context};
-    s.why = why;
+    struct parser s = {.program = p, .at = text, .why = why, .reference = reference, .context = context};
     int node = parse_sum(&s);
     skip_blanks(&s);
     if (node >= 0 && *s.at != '\0')

@@ -45,21 +45,21 @@ void program_name(struct program *p, int node, const char *name);
 
 /*
  * Parses one formula, + - * / ^ ( ) sqrt sin cos exp log atan2 positive, over the names the program knows.
- * Returns its node; or -1, with what was expected in `why` and the offset into the text in *where.
+ * Returns its node; or -1, with what was expected in `why` (NULL: nobody asks).
  */
-int program_parse(struct program *p, const char *text, size_t *where, struct message *why);
+int program_parse(struct program *p, const char *text, struct message *why);
 
 /*
  * A formula may also refer to what the program does not hold, by NAME.more or NAME(...): the caller reads
  * that. The reader is called after NAME and goes on from `at`, with parse_sum() for what is a formula
- * again. It returns a node; or -1, with `why` set and `at` where the mistake is.
+ * again. It returns a node; or -1, with `why` set and `at` where the mistake is, whose offset into the text *where is.
  */
 struct parser;
 typedef int reference_reader(struct parser *s, const char *name);
 
 struct parser {
     struct program *program;
-    const char *text, *at;
+    const char *at;
     struct message *why;
     int depth;
     reference_reader *reference; /* NULL: there are none */

@@ -26,14 +26,13 @@ static bool take_changes(struct mutation *a, const struct section *s, const stru
         const char *name = m->changes[k].name;
         const int target = target_of(s, a->section, m->changes[k].place, name);
         struct message expected;
-        size_t where;
         if (target < 0 && strict) {
             message_set(why, "'%s' is not there to be changed", name);
             return false;
         }
         if (target < 0)
             continue;
-        const int node = program_parse(&a->formulas.program, m->changes[k].formula, &where, &expected);
+        const int node = program_parse(&a->formulas.program, m->changes[k].formula, &expected);
         if (node < 0) {
             message_set(why, "%s: %.200s", name, expected.text);
             return false;
