@@ -35,51 +35,35 @@ static void true_error(fmpq_t E, const fmpq_t y, const fmpq_t exact, const fmpq_
     fmpq_mul_2exp(E, E, (ulong)significand);
 }
 
-static void fraction(fmpq_t q, double x)
-{
-    SCOPE(arf, a);
-    arf_set_d(a, x);
-    arf_get_fmpq(q, a);
-}
-
 /* y and the balls of y* and S: E at the four corners, and at y where the ball of y* holds it, keeps its bounds. */
 static void assert_bounded(double y, double exact, double exact_radius, double S, double S_radius, double at_most)
 {
-    struct error_bounds E;
     SCOPE(arb, e, s);
     SCOPE(arf, at);
-    fmpq_t q[3], truth, bound;
-    fmpq_init(truth);
-    fmpq_init(bound);
-    for (int i = 0; i < 3; i++)
-        fmpq_init(q[i]);
+    SCOPE(fmpq, given, value, sensitivity, truth, bound);
     arb_set_d(e, exact);
     mag_set_d(arb_radref(e), exact_radius);
     arb_set_d(s, S);
     mag_set_d(arb_radref(s), S_radius);
     arf_set_d(at, y);
-    E = error_in_roundings(at, e, s, BINARY64);
+    const struct error_bounds E = error_in_roundings(at, e, s, BINARY64);
     ck_assert(E.lower >= 0 && E.lower <= E.upper);
+    fmpq_set_double(given, y);
     for (int corner = 0; corner < 5; corner++) {
-        fraction(q[0], y);
         if (corner < 4)
-            fraction(q[1], exact + (corner & 1 ? exact_radius : -exact_radius));
+            fmpq_set_double(value, exact + (corner & 1 ? exact_radius : -exact_radius));
         else if (fabs(y - exact) <= exact_radius)
-            fraction(q[1], y);
-        fraction(q[2], S + (corner & 2 ? S_radius : -S_radius));
-        true_error(truth, q[0], q[1], q[2], BINARY64);
+            fmpq_set(value, given);
+        fmpq_set_double(sensitivity, S + (corner & 2 ? S_radius : -S_radius));
+        true_error(truth, given, value, sensitivity, BINARY64);
         if (isfinite(E.upper)) {
-            fraction(bound, E.upper);
+            fmpq_set_double(bound, E.upper);
             ck_assert_msg(fmpq_cmp(bound, truth) >= 0, "corner %d: E = %.17g above %.17g", corner, fmpq_get_d(truth), E.upper);
         }
-        fraction(bound, E.lower);
+        fmpq_set_double(bound, E.lower);
         ck_assert_msg(fmpq_cmp(bound, truth) <= 0, "corner %d: E = %.17g below %.17g", corner, fmpq_get_d(truth), E.lower);
     }
     ck_assert_double_le(E.upper - E.lower, at_most * E.upper);
-    fmpq_clear(truth);
-    fmpq_clear(bound);
-    for (int i = 0; i < 3; i++)
-        fmpq_clear(q[i]);
 }
 
 /* Dyadic radii, so that the corners are numbers of a double. */

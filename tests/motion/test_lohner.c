@@ -4,6 +4,7 @@
  */
 #include "tests/run.h"
 
+#include "evaluate/sample.h"
 #include "motion/lohner.h"
 #include "text/scope.h"
 
@@ -13,18 +14,11 @@ enum { N = LOHNER_SIZE };
 
 /* ---- what is true, in fractions ---- */
 
-static void fraction_of_double(fmpq_t q, double x)
-{
-    SCOPE(arf, a);
-    arf_set_d(a, x);
-    arf_get_fmpq(q, a);
-}
-
 static void basis_of(fmpq_mat_t to, const struct lohner *set)
 {
     for (int i = 0; i < N; i++)
         for (int j = 0; j < N; j++)
-            fraction_of_double(fmpq_mat_entry(to, i, j), set->basis[i][j]);
+            fmpq_set_double(fmpq_mat_entry(to, i, j), set->basis[i][j]);
 }
 
 /* sum += |a| b */
@@ -293,7 +287,7 @@ EACH(L7_a_box_has_all_of_its_set, 2 * N)
         fmpq_zero(need);
         for (int j = 0; j < N; j++) {
             mag_get_fmpq(have, m.set.radius + j);
-            fraction_of_double(entry, m.set.basis[i][j]);
+            fmpq_set_double(entry, m.set.basis[i][j]);
             add_modulus(need, entry, have);
         }
         mag_get_fmpq(have, arb_radref(box + i));

@@ -63,10 +63,9 @@ static void set_model(struct model *x, int count, const double c[], double rest)
     x->rest = rest;
 }
 
-static void random_model(struct model *x, const struct space *s, int seed, double rest)
+static void set_random(struct model *x, int seed, double rest)
 {
-    model_init(x, s);
-    for (int b = 0; b < s->size; b++)
+    for (int b = 0; b < x->space->size; b++)
         x->c[b] = number(seed + 3 * b);
     model_scale(x, 1);
     x->rest = rest;
@@ -116,19 +115,21 @@ TEST(monomials_are_in_order_and_multiply)
 EACH(M1_sums_of_products_are_rounded, 20)
 {
     OWNED(space) s;
-    struct model x[3], y[3], z;
     SCOPE(arb, truth, a, b);
     space_init(&s, 3, 4);
+    MODELS(x, 3, &s);
+    MODELS(y, 3, &s);
+    MODEL(z, &s);
     for (int k = 0; k < 3; k++) {
-        random_model(&x[k], &s, 11 * _i + k, 0);
-        random_model(&y[k], &s, 17 * _i + 5 * k, 0);
+        set_random(&x[k], 11 * _i + k, 0);
+        set_random(&y[k], 17 * _i + 5 * k, 0);
         for (int c = s.first[3]; c < s.size; c++)
             x[k].c[c] = y[k].c[c] = 0;
         model_scale(&x[k], 1);
         model_scale(&y[k], 1);
         x[k].rest = y[k].rest = 0;
     }
-    random_model(&z, &s, _i, 0);
+    set_random(&z, _i, 0);
     for (int point = 0; point < POINTS; point++) {
         value_at(a, &z, point);
         model_dot(&z, true, -1, x, y + 2, 3);
@@ -141,11 +142,6 @@ EACH(M1_sums_of_products_are_rounded, 20)
         assert_holds(&z, truth, point, 1e-10);
         z.rest = 0;
     }
-    for (int k = 0; k < 3; k++) {
-        model_clear(&x[k]);
-        model_clear(&y[k]);
-    }
-    model_clear(&z);
 }
 
 /* To 1 are added 2^-53, one by one: each is lost, all of them are four times the rounding of any one sum. */
@@ -153,15 +149,14 @@ TEST(M1_as_many_roundings_as_there_are_sums)
 {
     enum { SUMS = 20 };
     OWNED(space) s;
-    struct model term[SUMS + 1], one[SUMS + 1];
     SCOPE(arb, truth, x);
     space_init(&s, 0, 0);
     MODEL(z, &s);
+    MODELS(term, SUMS + 1, &s);
+    MODELS(one, SUMS + 1, &s);
     arb_one(truth);
     for (int k = 0; k <= SUMS; k++) {
-        model_init(&one[k], &s);
         model_set_ball(&one[k], truth);
-        model_init(&term[k], &s);
         arb_set_d(x, k == 0 ? 1 : 0x1p-53);
         model_set_ball(&term[k], x);
     }
@@ -179,10 +174,6 @@ TEST(M1_as_many_roundings_as_there_are_sums)
         term[k].rest = 1;
     model_evaluate(&z, term, SUMS + 1, -1);
     ck_assert_double_ge(z.rest, SUMS + 1); /* and so are their rests */
-    for (int k = 0; k <= SUMS; k++) {
-        model_clear(&one[k]);
-        model_clear(&term[k]);
-    }
 }
 
 /*
@@ -225,15 +216,12 @@ TEST(M1_as_many_roundings_as_pairs_make_a_monomial)
 EACH(M1_a_scaled_number_and_a_term_of_a_series_are_rounded, 20)
 {
     OWNED(space) s;
-    struct model x[2], z;
     SCOPE(arb, truth, factor);
     space_init(&s, 0, 0);
-    random_model(&x[0], &s, 0, 0);
-    random_model(&x[1], &s, _i + 1, 0);
-    random_model(&z, &s, _i + 1, 0);
-    x[0].c[0] = 0;
-    model_scale(&x[0], 1);
-    x[0].rest = x[1].rest = z.rest = 0;
+    MODELS(x, 2, &s); /* the first of them is 0 */
+    MODEL(z, &s);
+    set_random(&x[1], _i + 1, 0);
+    set_random(&z, _i + 1, 0);
     value_at(truth, &z, 0);
     arb_set_d(factor, 1.0 / 3);
     arb_mul(truth, truth, factor, PREC);
@@ -241,9 +229,6 @@ EACH(M1_a_scaled_number_and_a_term_of_a_series_are_rounded, 20)
     assert_holds(&z, truth, 0, 1e-15);
     model_evaluate(&z, x, 2, 1.0 / 3);
     assert_holds(&z, truth, 0, 1e-14);
-    for (int k = 0; k < 2; k++)
-        model_clear(&x[k]);
-    model_clear(&z);
 }
 
 /* Rests alone, of which the products are no binary64; or the bounds of what is cut off. */
@@ -328,8 +313,8 @@ TEST(M8_numbers_and_models_that_do_not_fit_leave_a_rest)
         arb_add(truth, truth, third, PREC);
         assert_holds(&x, truth, point, 2e-16);
     }
-    OWNED(model) all;
-    random_model(&all, &s, 0, 0.25);
+    MODEL(all, &s);
+    set_random(&all, 0, 0.25);
     model_set(&cut, &all);
     for (int point = 0; point < POINTS; point++) {
         value_at(truth, &all, point);
@@ -413,12 +398,13 @@ TEST(M1_the_middle_of_a_range_is_rounded)
 EACH(M1_halves_ranges_and_sums_hold, 10)
 {
     OWNED(space) s;
-    struct model x, half, sum[3], at;
     SCOPE(arb, truth, e, range, power);
     space_init(&s, 2, 4);
-    random_model(&x, &s, _i, 0);
-    model_init(&half, &s);
-    model_init(&at, &s);
+    MODEL(x, &s);
+    MODEL(half, &s);
+    MODEL(at, &s);
+    MODELS(sum, 3, &s);
+    set_random(&x, _i, 0);
     model_halve(&half, 0, 1);
     model_dot(&at, true, 1, &half, &x, 1);
     model_dot(&at, true, 1, &x, &half, 1);
@@ -449,7 +435,7 @@ EACH(M1_halves_ranges_and_sums_hold, 10)
     }
     model_range(range, &x);
     for (int k = 0; k < 3; k++)
-        random_model(&sum[k], &s, 5 * k + _i, 1e-20 * k);
+        set_random(&sum[k], 5 * k + _i, 1e-20 * k);
     model_evaluate(&at, sum, 3, -0.3);
     for (int point = 0; point < POINTS; point++) {
         value_at(truth, &x, point);
@@ -463,15 +449,10 @@ EACH(M1_halves_ranges_and_sums_hold, 10)
         }
         assert_holds(&at, truth, point, 1e-13);
     }
-    for (int k = 0; k < 3; k++)
-        model_clear(&sum[k]);
     set_model(&x, 4, (double[]){0, 0, 0, 1}, 0); /* e_1^2 lies in [0, 1] */
     model_range(range, &x);
     arb_set_si(truth, -1);
     ck_assert(!arb_contains(range, truth));
     arb_one(truth);
     ck_assert(arb_contains_si(range, 0) && arb_contains(range, truth));
-    model_clear(&x);
-    model_clear(&half);
-    model_clear(&at);
 }

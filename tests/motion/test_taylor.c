@@ -6,6 +6,7 @@
 
 #include <string.h>
 
+#include "evaluate/sample.h"
 #include "motion/flow.h"
 #include "motion/taylor.h"
 #include "text/scope.h"
@@ -113,11 +114,8 @@ static void jet_known(struct jet *jet, slong order, const struct term *terms, co
 
 static void fractions(fmpq *to, const double from[JET_STATES])
 {
-    SCOPE(arf, x);
-    for (int v = 0; v < JET_STATES; v++) {
-        arf_set_d(x, from[v]);
-        arf_get_fmpq(to + v, x);
-    }
+    for (int v = 0; v < JET_STATES; v++)
+        fmpq_set_double(to + v, from[v]);
 }
 
 /* What is true of Z's remainder: of the integral of a b, or of da b + a db */

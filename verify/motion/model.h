@@ -35,6 +35,8 @@ void model_clear(struct model *m);
 /* As many side by side, all 0 */
 struct model *models_init(int count, const struct space *s);
 void models_clear(struct model *m);
+static inline void models_leave(struct model **m) { models_clear(*m); }
+#define MODELS(m, count, space) struct model *m CLEARED_BY(models_leave) = models_init(count, space)
 
 /* What holds the ball, and all of x + radius e_i (i from 0). */
 void model_set_ball(struct model *z, const arb_t x);

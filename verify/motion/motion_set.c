@@ -78,7 +78,7 @@ static void charge_model(struct model *charge, struct model *m, const struct mod
 /* In units of r_ref of the middles, or near it, and radians of orbit */
 static void models_of(struct flow_set *set, const struct scenario *s)
 {
-    struct model *const m = models_init(ANGLE_MODELS, &set->space);
+    MODELS(m, ANGLE_MODELS, &set->space);
     struct reader r = {s, 0};
     FLOW_PARAMETERS(p);
     SCOPE(arb, one, mass, speed, square);
@@ -129,7 +129,6 @@ static void models_of(struct flow_set *set, const struct scenario *s)
     arb_mul(set->charge, set->charge, square, SET_BITS);
     arb_mul(set->charge, set->charge, mass, SET_BITS);
     arb_div(set->charge, set->charge, p.k_c, SET_BITS);
-    models_clear(m);
 }
 
 /* Whether the box is so wide, against the distance, that one degree more is worth its cost; of many unknowns that forbids more */
