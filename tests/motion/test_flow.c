@@ -5,7 +5,7 @@
 #include "tests/run.h"
 #include "tests/paper.h"
 
-#include "coulombtether.h"
+#include "evaluate/reference.h"
 #include "motion/expansion.h"
 #include "motion/motion.h"
 #include "text/scope.h"
@@ -166,31 +166,21 @@ static double number(const arb_t x)
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
-/* ---- ref/, which shares no line with the flows ---- */
-
-static struct ct_params params_of(const struct pair *s)
+/* To a share of L_ref, and of Omega L_ref, what ref/ makes of it, which shares no line with the flows */
+static void assert_near_ref(arb_srcptr state, enum way way, const struct pair *s, double t, double h, double share)
 {
-    return (struct ct_params){.Omega = number(s->p.Omega), .k_c = number(s->p.k_c), .m1 = number(s->p.m1), .m2 = number(s->p.m2),
-                              .L_ref = number(s->p.L_ref)};
-}
-
-static struct ct_gains gains_of(const struct pair *s)
-{
-    return (struct ct_gains){number(s->p.C1), number(s->p.C2)};
-}
-
-static struct ct_hill_state start_of(const struct pair *s)
-{
-    return (struct ct_hill_state){number(s->start), number(s->start + 1), number(s->start + 2), number(s->start + 3),
-                                  number(s->start + 4), number(s->start + 5)};
-}
-
-/* To a share of L_ref, and of Omega L_ref */
-static void assert_near(arb_srcptr state, struct ct_hill_state of_ref, const struct pair *s, double share)
-{
-    const double expected[] = {of_ref.x1, of_ref.y1, of_ref.z1, of_ref.x1_dot, of_ref.y1_dot, of_ref.z1_dot};
+    static const char *const ids[] = {"flow_linear", "flow_nonlinear", "rk4_linear", "rk4_nonlinear"};
+    double in[15], out[FLOW_STATE], *next = in;
+    for (int i = 0; i < 7; i++) /* Omega k_c m1 m2 L_ref C1 C2 */
+        if (way % 2 == 1 || i == 0 || i > 3)
+            *next++ = number(s->p.Omega + i);
+    *next++ = t;
     for (int i = 0; i < FLOW_STATE; i++)
-        ck_assert_double_eq_tol(number(state + i), expected[i], share * number(s->p.L_ref) * (i < 3 ? 1 : number(s->p.Omega)));
+        *next++ = number(s->start + i);
+    *next = h;
+    reference_find(ids[way])(in, out);
+    for (int i = 0; i < FLOW_STATE; i++)
+        ck_assert_double_eq_tol(number(state + i), out[i], share * number(s->p.L_ref) * (i < 3 ? 1 : number(s->p.Omega)));
 }
 
 /* ---- the linear flow ---- */
@@ -263,13 +253,10 @@ TEST(eq03_flow_of_the_paper)
 TEST(eq03_flow_at_large_angles_agrees_with_ref)
 {
     OWNED(pair) s = pair_of(7.2915e-5, 1, 1000, 10, 10, 2);
-    const double t = DAY;
-    struct ct_hill_state of_ref;
     start_at_angles(&s, 1.2, 0.9, -3);
-    ck_assert_int_eq(ct_nonlinear_flow(params_of(&s), gains_of(&s), start_of(&s), 1e-14, 1, &t, &of_ref), CT_OK);
     OWNED(found) r = run_to(&s, NONLINEAR, DAY);
     ck_assert_int_eq(r.status, FLOW_DONE);
-    assert_near(r.states, of_ref, &s, 1e-10);
+    assert_near_ref(r.states, NONLINEAR, &s, DAY, 0, 1e-10);
 }
 
 /* ---- exact cases ---- */
@@ -713,10 +700,9 @@ TEST(a_near_miss_is_followed_through)
 
 EACH(a_receiver_stops_a_flow, 4)
 {
-    static const enum way methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
     const slong times[] = {0, 100, 200, 300};
     OWNED(pair) s = paper_nonlinear();
-    OWNED(found) r = run_through(&s, methods[_i], times, 4, 17, 100, 2);
+    OWNED(found) r = run_through(&s, (enum way)_i, times, 4, 17, 100, 2);
     ck_assert_int_eq(r.status, FLOW_STOPPED);
     ck_assert_int_eq(r.rows, 2);
     ck_assert_double_eq(r.reached, 100);
@@ -790,20 +776,13 @@ EACH(rk4_steps_are_an_implementers, 2)
 {
     enum { STEPS = 100, H = 100 };
     OWNED(pair) s = pair_of(7.2915e-5, 120, 410, 23, 12, 4);
-    const double t = STEPS * H;
-    struct ct_hill_state of_ref;
-    struct ct_tether_state angles;
-    if (_i == 0) {
+    if (_i == 0)
         start_at_angles(&s, 0.3, -0.4, 2);
-        ck_assert_int_eq(ct_nonlinear_runge_kutta(params_of(&s), gains_of(&s), start_of(&s), H, 1, &t, &of_ref), CT_OK);
-    } else {
+    else
         start_at(&s, 0.3, -0.4, 2, 1e-5, -2e-5, 3e-5);
-        const struct ct_tether_state start = {0.3, -0.4, 2, 1e-5, -2e-5, 3e-5};
-        ck_assert_int_eq(ct_linear_runge_kutta(params_of(&s), gains_of(&s), start, H, 1, &t, &angles), CT_OK);
-        of_ref = (struct ct_hill_state){angles.psi, angles.theta, angles.dL, angles.psi_dot, angles.theta_dot, angles.dL_dot};
-    }
-    OWNED(found) r = run_to(&s, _i == 0 ? RK4_NONLINEAR : RK4_LINEAR, STEPS * H);
-    assert_near(r.states, of_ref, &s, 1e-12);
+    const enum way way = _i == 0 ? RK4_NONLINEAR : RK4_LINEAR;
+    OWNED(found) r = run_to(&s, way, STEPS * H);
+    assert_near_ref(r.states, way, &s, STEPS * H, H, 1e-12);
     assert_sharp(r.states, 200);
 }
 
@@ -823,8 +802,7 @@ EACH(rk4_takes_whole_steps_forward, 3)
 /* At the precision that is foretold, every coordinate has its digits: two days, n = 10 and n = 40. */
 EACH(foretold_precision_is_enough, 8)
 {
-    static const enum way methods[] = {LINEAR, NONLINEAR, RK4_LINEAR, RK4_NONLINEAR};
-    const enum way m = methods[_i / 2];
+    const enum way m = (enum way)(_i / 2);
     const double n = _i % 2 == 0 ? 10 : 40, radians = 7.2915e-5 * 2 * DAY;
     const slong digits = 40, t = 2 * DAY;
     OWNED(pair) s = pair_of(7.2915e-5, 150, 150, 10, n, 2 * sqrt(n - 9));
