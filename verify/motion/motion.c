@@ -91,13 +91,20 @@ void scenario_parameters(struct flow_parameters *p, const struct scenario *s, sl
         section_enclose(section_find(s->sheet, "eq44"), gain_inputs, prec, p->C2);
 }
 
-void state_from_angles(arb_ptr state, const struct sheet *sheet, const struct flow_parameters *p, slong prec)
+enum { ANGLE_INPUTS = 8 }; /* m1 m2 L psi theta, and L_dot psi_dot theta_dot */
+
+static void inputs_of_angles(arb_ptr inputs, arb_srcptr state, const struct flow_parameters *p, slong prec)
 {
-    arb_srcptr given[] = {p->m1, p->m2, p->L_ref, state, state + 1, state + 5, state + 3, state + 4};
-    VECTOR(arb, inputs, 8); /* m1 m2 L psi theta, and L_dot psi_dot theta_dot */
-    for (int i = 0; i < 8; i++)
+    arb_srcptr given[ANGLE_INPUTS] = {p->m1, p->m2, p->L_ref, state, state + 1, state + 5, state + 3, state + 4};
+    for (int i = 0; i < ANGLE_INPUTS; i++)
         arb_set(inputs + i, given[i]);
     arb_add(inputs + 2, inputs + 2, state + 2, prec);
+}
+
+void state_from_angles(arb_ptr state, const struct sheet *sheet, const struct flow_parameters *p, slong prec)
+{
+    VECTOR(arb, inputs, ANGLE_INPUTS);
+    inputs_of_angles(inputs, state, p, prec);
     section_enclose(section_find(sheet, "eq10"), inputs, prec, state);
     section_enclose(section_find(sheet, "eq11exact"), inputs, prec, state + 3);
 }
@@ -144,7 +151,7 @@ struct pass {
     arb_ptr initial;
     slong prec, most; /* working precision, and where trying ends */
     slong done;       /* rows that the receiver has               */
-    bool is_static, undecided, stopped;
+    bool is_static, undecided;
     bool outside;     /* Q_ref + dQ >= 0 at the row after those      */
     double reached;
     row_receiver *receive; /* NULL: nobody is told, it is only asked how far the charges go */
@@ -166,12 +173,8 @@ static int row_balls(struct pass *p, arb_srcptr state, arb_ptr row)
         return ROW_NUMBERS;
     }
     if (m->small_angles) {
-        VECTOR(arb, in, 5);
-        arb_set(in, p->parameters.m1);
-        arb_set(in + 1, p->parameters.m2);
-        arb_add(in + 2, p->parameters.L_ref, state + 2, p->prec);
-        arb_set(in + 3, state);
-        arb_set(in + 4, state + 1);
+        VECTOR(arb, in, ANGLE_INPUTS);
+        inputs_of_angles(in, state, &p->parameters, p->prec);
         section_enclose(section_find(m->scenario->sheet, "eq10lin"), in, p->prec, row);
         return 3;
     }
@@ -190,13 +193,14 @@ static int receive_row(void *context, slong k, const fmpq_t t, arb_srcptr state)
         numbers[i] = decimal_of_ball(row + i, p->motion->digits);
         p->undecided |= numbers[i] == NULL;
     }
-    if (!p->outside && !p->undecided) {
-        p->stopped = p->receive != NULL && p->receive(p->context, k, t, numbers) != 0;
+    bool over = p->outside || p->undecided;
+    if (!over) {
+        over = p->receive != NULL && p->receive(p->context, k, t, numbers) != 0;
         p->done++;
     }
     for (int i = 0; i < count; i++)
         free(numbers[i]);
-    return p->outside || p->undecided || p->stopped;
+    return over;
 }
 
 bool is_static(const fmpq_t m1, const fmpq_t m2, const fmpq_t L_ref, const struct input *state)
@@ -282,14 +286,13 @@ int motion_rows(const struct motion *m, const fmpq *times, slong count, row_rece
                 void *context, struct message *why)
 {
     struct pass p = {.motion = m, .is_static = starts_static(m->scenario), .receive = receive, .context = context};
-    if (m->most_pieces > 0)
-        return motion_set_rows(m, times, count, receive, context, why);
-    enum flow_status status = run_pass(&p, times, count);
+    const enum flow_status status = m->most_pieces > 0 ? motion_set_rows(m, times, count, receive, context, &p.reached)
+                                                       : run_pass(&p, times, count);
     if (p.outside)
         say_crossing(&p, times, why);
     else if (p.undecided)
         message_set(why, "%ld bits do not decide every digit of row %ld", (long)p.most, (long)p.done + 1);
-    else if (status == FLOW_DONE || p.stopped)
+    else if (status == FLOW_DONE || status == FLOW_STOPPED)
         return 0;
     else
         message_set(why, "%s, last proved time %.9g s", flow_status_text(status), p.reached);

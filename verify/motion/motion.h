@@ -73,6 +73,7 @@ bool may_have_radius(enum scenario_name name); /* k_c's is the force's alone: th
 /* Rows at all those times (of one sign, away from 0); 0, or -1 with the reason. */
 int motion_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive,
                 void *context, struct message *why);
-int motion_set_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive, void *context, struct message *why);
+enum flow_status motion_set_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive, void *context,
+                                 double *reached);
 
 #endif

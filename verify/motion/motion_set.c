@@ -166,7 +166,8 @@ static int print_bounds(void *context, slong k, const fmpq_t t, arb_srcptr state
     return stopped;
 }
 
-int motion_set_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive, void *context, struct message *why)
+enum flow_status motion_set_rows(const struct motion *m, const fmpq *times, slong count, row_receiver *receive, void *context,
+                                 double *reached)
 {
     const struct scenario *s = m->scenario;
     int unknowns = 0;
@@ -174,14 +175,9 @@ int motion_set_rows(const struct motion *m, const fmpq *times, slong count, row_
         unknowns += !fmpq_is_zero(s->radius + i);
     struct set_rows rows = {receive, context, m->digits};
     OWNED(flow_set) set;
-    double reached;
     flow_set_init(&set, unknowns, unknowns > 8 ? 3 : unknowns > 7 ? 5 : is_wide(s) ? 7 : 6);
     set.most_pieces = m->most_pieces;
     set.charged = true;
     models_of(&set, s);
-    const enum flow_status status = flow_set(&set, times, count, print_bounds, &rows, &reached);
-    if (status == FLOW_DONE || status == FLOW_STOPPED)
-        return 0;
-    message_set(why, "%s, last proved time %.9g s", flow_status_text(status), reached);
-    return -1;
+    return flow_set(&set, times, count, print_bounds, &rows, reached);
 }
