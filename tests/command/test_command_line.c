@@ -202,7 +202,7 @@ static const struct {
     {"vectors eq07 --count five --seed 1", 2, "--count"},
     {"vectors eq07 --count 5 --seed 1 --shard a/4", 2, "--shard"},
     {"verify errors --count few", 2, "--count"},
-    {"trajectory nonlinear psi=0.01+-0.001", 2, "psi=0.01+-0.001: a value with a radius is a set of motions, expected with --set"},
+    {"trajectory nonlinear psi=0.01+-0.001", 2, "psi: expected without +-, which is for the sets of trajectory nonlinear --set"},
     {"trajectory nonlinear psi=0.01+-abc --set", 2, "psi: expected a number, got 'abc'"},
     {"trajectory nonlinear psi=0.01+- --set", 2, "psi: expected a number, got ''"},
     {"trajectory nonlinear psi=abc+-1 --set", 2, "psi: expected a number, got 'abc'"},

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "text/decimal.h"
-#include "text/scope.h"
+#include "text/json.h"
 #include "text/whole_file.h"
 
 int usage_error(int status, const char *format, ...)
@@ -58,13 +58,52 @@ static int unknown_option(const struct arguments *a, const char *text)
     return unknown_name(what, text, nearest_name(text, known, (size_t)count, sizeof *known), see);
 }
 
+/* Whether a text is one of the choices A|B|C; else a complaint, after "what: ", that has them all. */
+static int check_choice(const char *what, const char *choices, const char *text)
+{
+    enum { MOST_CHOICES = 32 };
+    const char *known[MOST_CHOICES];
+    char texts[512], expected[512], *rest = NULL;
+    int count = 0;
+    snprintf(texts, sizeof texts, "%s", choices);
+    for (char *choice = strtok_r(texts, "|", &rest); choice != NULL; choice = strtok_r(NULL, "|", &rest))
+        known[count++] = choice;
+    snprintf(expected, sizeof expected, "%s: expected ", what);
+    for (int i = 0; i < count; i++)
+        add_text(expected, sizeof expected, i == 0 ? "" : i == count - 1 ? " or " : ", ", known[i]);
+    if (text == NULL)
+        return usage_error(EXIT_USAGE, "%s", expected);
+    add_text(expected, sizeof expected, ", ", "got");
+    return word_in(choices, "|", text) ? EXIT_DONE
+                                       : unknown_name(expected, text, nearest_name(text, known, (size_t)count, sizeof *known), "");
+}
+
+/* Whether a text is a whole number that the option takes. */
+static int check_number(const struct option *o, const char *text)
+{
+    errno = 0;
+    const uint64_t number = strtoull(text, NULL, 10);
+    if (strspn(text, "0123456789") == strlen(text) && errno == 0 && number >= o->least && number <= o->most)
+        return EXIT_DONE;
+    if (o->most == UINT64_MAX)
+        return usage_error(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", o->name, text);
+    return usage_error(EXIT_USAGE, "%s: expected from %" PRIu64 " to %" PRIu64 ", got '%.40s'", o->name, o->least, o->most, text);
+}
+
+/* The option of that name, which may have its value behind it: "--every=5"; NULL: the subcommand has none. */
+static const struct option *option_find(const struct subcommand *s, const char *text)
+{
+    for (const struct option *o = options; o->name != NULL; o++)
+        if (option_belongs(o, s) && names_option(text, o->name))
+            return o;
+    return NULL;
+}
+
 static int take_option(struct arguments *a, int count, char **texts, int *i)
 {
     const char *text = texts[*i], *equals = strchr(text, '=');
-    const struct option *o = options;
-    while (o->name != NULL && !(option_belongs(o, a->subcommand) && names_option(text, o->name)))
-        o++;
-    if (o->name == NULL)
+    const struct option *o = option_find(a->subcommand, text);
+    if (o == NULL)
         return unknown_option(a, text);
     if (option_given(a, o->name) && !o->repeated)
         return usage_error(EXIT_USAGE, "%s: given twice, expected once", o->name);
@@ -74,7 +113,9 @@ static int take_option(struct arguments *a, int count, char **texts, int *i)
     if (o->argument != NULL && *value == '\0')
         return usage_error(EXIT_USAGE, "%s: expected a value after it, %s", o->name, o->argument);
     a->given[a->given_count++] = (struct given){o, value};
-    return EXIT_DONE;
+    if (o->most > 0)
+        return check_number(o, value);
+    return o->argument != NULL && strchr(o->argument, '|') != NULL ? check_choice(o->name, o->argument, value) : EXIT_DONE;
 }
 
 static int unexpected_argument(const struct arguments *a, const char *text)
@@ -142,30 +183,16 @@ static bool is_choice(const char *word)
 /* The first word has to be one that a way begins with, unless one of them begins with any, or with none. */
 static int check_word(const struct arguments *a)
 {
-    enum { MOST_CHOICES = 32 };
-    const char *known[MOST_CHOICES], *word = a->word_count > 0 ? a->words[0] : NULL;
-    char texts[512] = "", what[512], *rest = NULL;
-    int count = 0;
+    const char *word = a->word_count > 0 ? a->words[0] : NULL;
+    char choices[512] = "", first[512];
     bool fine = false;
     for (int i = 0; a->subcommand->ways[i] != NULL; i++) {
         const char *way = a->subcommand->ways[i];
         fine = fine || (*way == '\0' ? word == NULL : !is_choice(way));
-        snprintf(what, sizeof what, "%.*s", (int)strcspn(way, " "), way);
-        add_text(texts, sizeof texts, "|", what);
+        snprintf(first, sizeof first, "%.*s", (int)strcspn(way, " "), way);
+        add_text(choices, sizeof choices, "|", first);
     }
-    for (char *choice = strtok_r(texts, "|", &rest); choice != NULL; choice = strtok_r(NULL, "|", &rest)) {
-        known[count++] = choice;
-        fine = fine || (word != NULL && strcmp(word, choice) == 0);
-    }
-    snprintf(what, sizeof what, "%s: expected ", a->subcommand->name);
-    for (int i = 0; i < count; i++)
-        add_text(what, sizeof what, i == 0 ? "" : i == count - 1 ? " or " : ", ", known[i]);
-    if (fine)
-        return EXIT_DONE;
-    if (word == NULL)
-        return usage_error(EXIT_USAGE, "%s", what);
-    add_text(what, sizeof what, ", ", "got");
-    return unknown_name(what, word, nearest_name(word, known, (size_t)count, sizeof *known), "");
+    return fine ? EXIT_DONE : check_choice(a->subcommand->name, choices, word);
 }
 
 int arguments_read(struct arguments *a, int count, char **texts)
@@ -212,47 +239,29 @@ bool option_given(const struct arguments *a, const char *name)
     return option_value(a, name) != NULL;
 }
 
-int option_digits(const struct arguments *a, long otherwise, long *digits)
+uint64_t option_number(const struct arguments *a, const char *name)
 {
-    uint64_t number = (uint64_t)otherwise;
-    const int status = option_number(a, "--digits", 1, 10000, &number);
-    *digits = (long)number;
-    return status;
+    const char *text = option_value(a, name), *otherwise = option_find(a->subcommand, name)->otherwise;
+    return text != NULL ? strtoull(text, NULL, 10) : otherwise != NULL ? strtoull(otherwise, NULL, 10) : 0;
 }
 
-int option_inputs(const struct arguments *a, enum input_form *form)
+enum input_form option_inputs(const struct arguments *a)
 {
     const char *text = option_value(a, "--inputs");
-    *form = INPUTS_SHORTEST;
-    if (text == NULL)
-        return EXIT_DONE;
-    for (int i = 0; i < 3; i++)
-        if (strcmp(text, input_forms[i]) == 0) {
-            *form = (enum input_form)i;
-            return EXIT_DONE;
-        }
-    return usage_error(EXIT_USAGE, "--inputs: expected shortest, exact or hex, got '%.40s'", text);
+    return text == NULL ? INPUTS_SHORTEST : strcmp(text, input_forms[INPUTS_EXACT]) == 0 ? INPUTS_EXACT
+         : strcmp(text, input_forms[INPUTS_HEX]) == 0 ? INPUTS_HEX : INPUTS_SHORTEST;
 }
 
-int option_number(const struct arguments *a, const char *name, uint64_t least, uint64_t most, uint64_t *number)
+/* The value of a literal; NULL for what may not be infinite. Where `domain` is not asked yet, all but a malformed one pass. */
+static int take_literal(fmpq_t value, bool *infinite, const char *name, const char *text, bool exact, bool domain)
 {
-    const char *text = option_value(a, name);
-    if (text == NULL)
-        return EXIT_DONE;
-    errno = 0;
-    *number = strtoull(text, NULL, 10);
-    if (strspn(text, "0123456789") == strlen(text) && *text != '\0' && errno == 0 && *number >= least && *number <= most)
-        return EXIT_DONE;
-    if (most == UINT64_MAX)
-        return usage_error(EXIT_USAGE, "%s: expected a whole number below 2^64, got '%.40s'", name, text);
-    return usage_error(EXIT_USAGE, "%s: expected from %" PRIu64 " to %" PRIu64 ", got '%.40s'", name, least, most, text);
-}
-
-/* What a literal is that is no finite number. */
-static int refuse_literal(const char *name, const char *text, enum literal literal, bool exact)
-{
+    const enum literal literal = literal_read(value, text, exact);
+    if (infinite != NULL)
+        *infinite = literal == LITERAL_INFINITE;
     if (literal == LITERAL_MALFORMED)
         return usage_error(EXIT_USAGE, "%s: expected a number, got '%.40s'", name, text);
+    if (literal == LITERAL_FINITE || (literal == LITERAL_INFINITE && infinite != NULL) || !domain)
+        return EXIT_DONE;
     if (literal == LITERAL_OVERFLOW)
         return usage_error(EXIT_FAILED_CHECK, "%s: '%.40s' is too large%s", name, text,
                            exact ? ", expected an exponent within +-5000 and at most 10000 digits"
@@ -262,62 +271,59 @@ static int refuse_literal(const char *name, const char *text, enum literal liter
 
 int finite_argument(fmpq_t value, const char *name, const char *text, bool exact)
 {
-    const enum literal literal = literal_read(value, text, exact);
-    return literal == LITERAL_FINITE ? EXIT_DONE : refuse_literal(name, text, literal, exact);
+    return take_literal(value, NULL, name, text, exact, true);
 }
 
-/* Which of the known names an assignment sets; -1 after a complaint. */
-static int assignment_index(const char *assignment, const char *const *known, int count,
-                            const bool *seen)
+/* Which of the known names a text NAME=... begins with; NULL after a complaint. */
+static struct assignment *assignment_named(const char *text, struct assignment *known, int count)
 {
-    const char *equals = strchr(assignment, '=');
-    char name[64];
-    snprintf(name, sizeof name, "%.*s", (int)(equals - assignment), assignment);
+    char name[64], names[1024] = "";
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(text, "="), text);
     for (int i = 0; i < count; i++) {
-        if (strcmp(name, known[i]) != 0)
-            continue;
-        if (seen[i]) {
-            usage_error(EXIT_USAGE, "%s: given twice, expected once", name);
-            return -1;
-        }
-        return i;
+        if (strcmp(name, known[i].name) == 0)
+            return &known[i];
+        add_text(names, sizeof names, " ", known[i].name);
     }
-    const char *near = nearest_name(name, known, (size_t)count, sizeof *known);
-    char names[1024] = "";
-    for (int i = 0; i < count; i++)
-        add_text(names, sizeof names, " ", known[i]);
+    const char *near = NEAREST(name, known, count, name);
     usage_error(EXIT_USAGE, "unknown name '%s',%s%s%s there are: %s", name, near ? " did you mean '" : "", near ? near : "",
                 near ? "'?" : "", names);
-    return -1;
+    return NULL;
 }
 
-int read_assignments(const struct arguments *a, const char *const *known, int count, bool exact,
-                     const bool *may_be_infinite, bool *seen, struct input *values, const char **refused)
+int take_names(const struct arguments *a, struct assignment *known, int count)
 {
-    *refused = NULL;
     for (int k = 0; k < a->assignment_count; k++) {
-        int i = assignment_index(a->assignments[k], known, count, seen);
-        if (i < 0)
+        struct assignment *x = assignment_named(a->assignments[k], known, count);
+        if (x == NULL)
             return EXIT_USAGE;
-        seen[i] = true;
-        const char *text = strchr(a->assignments[k], '=') + 1;
-        enum literal literal = literal_read(&values[i].value, text, exact);
-        if (literal == LITERAL_MALFORMED)
-            return refuse_literal(known[i], text, literal, exact);
-        values[i].infinite = literal == LITERAL_INFINITE && may_be_infinite[i];
-        if (*refused == NULL && literal != LITERAL_FINITE && !values[i].infinite)
-            *refused = a->assignments[k];
+        if (x->text != NULL)
+            return usage_error(EXIT_USAGE, "%s: given twice, expected once", x->name);
+        x->text = strchr(a->assignments[k], '=') + 1;
+        char *sign = strstr(x->text, "+-");
+        if (sign != NULL && x->radius == NULL)
+            return usage_error(EXIT_USAGE, "%s: expected without +-%s", x->name,
+                               option_given(a, "--set") ? "" : ", which is for the sets of trajectory nonlinear --set");
+        if (sign != NULL) {
+            *sign = '\0';
+            x->radius_text = sign + 2;
+        }
     }
     return EXIT_DONE;
 }
 
-int refuse_assignment(const char *assignment, bool exact)
+int take_values(const struct assignment *known, int count, bool exact)
 {
-    const char *equals = strchr(assignment, '=');
-    char name[64];
-    SCOPE(fmpq, value);
-    snprintf(name, sizeof name, "%.*s", (int)(equals - assignment), assignment);
-    return refuse_literal(name, equals + 1, literal_read(value, equals + 1, exact), exact);
+    int status = EXIT_DONE;
+    for (int domain = 0; domain <= 1; domain++) /* wrong usage weighs more: all have to be numbers before one is refused */
+        for (const struct assignment *x = known; x < known + count && status == EXIT_DONE; x++) {
+            if (x->text != NULL)
+                status = take_literal(&x->value->value, x->may_be_infinite ? &x->value->infinite : NULL, x->name, x->text, exact, domain);
+            if (status == EXIT_DONE && x->radius_text != NULL)
+                status = take_literal(x->radius, NULL, x->name, x->radius_text, exact, domain);
+            if (status == EXIT_DONE && domain && x->radius_text != NULL && fmpq_sgn(x->radius) < 0)
+                status = usage_error(EXIT_FAILED_CHECK, "%s: expected a number >= 0 after +-, got '%.40s'", x->name, x->radius_text);
+        }
+    return status;
 }
 
 const struct section *section_argument(const struct sheet *sheet, const char *id)
@@ -340,6 +346,28 @@ const struct section *operation_argument(const struct arguments *a)
         return NULL;
     }
     return s;
+}
+
+void print_numbers(const struct arguments *a, const char *id, long digits, const struct number *numbers, int count)
+{
+    struct json j = json_on(stdout);
+    for (const struct number *z = numbers; z < numbers + count && !option_given(a, "--json"); z++) {
+        if (z->group != NULL && (z == numbers || z->group != z[-1].group))
+            printf("# %s\n", z->group);
+        printf("%s = %s %s%s%s\n", z->name, z->value, z->unit, z->meaning && *z->meaning ? "  # " : "", z->meaning ? z->meaning : "");
+    }
+    if (!option_given(a, "--json"))
+        return;
+    json_open(&j, NULL, '{');
+    json_string(&j, "id", id);
+    if (id != NULL)
+        json_truth(&j, "as_printed", option_given(a, "--as-printed"));
+    json_value(&j, "digits", "%ld", digits);
+    json_open(&j, "outputs", '[');
+    for (const struct number *z = numbers; z < numbers + count; z++)
+        json_record(&j, NULL, "group", z->group, "name", z->name, "value", z->value, "unit", z->unit, "meaning", z->meaning);
+    json_close(&j);
+    json_close(&j);
 }
 
 void print_list(const char *const *texts, int count, int width)

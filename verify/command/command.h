@@ -49,29 +49,25 @@ const char *option_value(const struct arguments *a, const char *name); /* NULL: 
 /* The values of a repeated option one by one, *k = 0 before the first; NULL after the last. */
 const char *option_next(const struct arguments *a, const char *name, int *k);
 
-/* --digits, 1 ... 10000. */
-int option_digits(const struct arguments *a, long otherwise, long *digits);
+/* Of one that takes a whole number: what is given, or what its table says of it unless given, or 0. */
+uint64_t option_number(const struct arguments *a, const char *name);
+enum input_form option_inputs(const struct arguments *a);
 
-/* --inputs shortest|exact|hex. */
-int option_inputs(const struct arguments *a, enum input_form *form);
-
-/*
- * The value of a literal called `name`. A malformed one is wrong usage, one that is no finite number (nan, inf, past binary64)
- * lies outside the domain.
- */
+/* A finite number, called `name`: a malformed one is wrong usage, one that is none (nan, inf, past binary64) outside the domain. */
 int finite_argument(fmpq_t value, const char *name, const char *text, bool exact);
 
-/*
- * All NAME=VALUE of an argument list into values[i] for known[i], and which were seen: EXIT_DONE or EXIT_USAGE. Wrong
- * usage weighs more than a domain, and so the first value that is no finite number is only kept in *refused (NULL:
- * there is none), to be refused once everything else has been found in order.
- */
-int read_assignments(const struct arguments *a, const char *const *known, int count, bool exact,
-                     const bool *may_be_infinite, bool *seen, struct input *values, const char **refused);
-int refuse_assignment(const char *assignment, bool exact);
+/* A name that may be given a value, NAME=VALUE or NAME=VALUE+-RADIUS, and where these go. */
+struct assignment {
+    const char *name;
+    struct input *value;
+    fmpq *radius; /* NULL: it has none */
+    bool may_be_infinite;
+    const char *text, *radius_text; /* as they are given; NULL: they are not */
+};
 
-/* A whole number between these two, kept where the option is not given. */
-int option_number(const struct arguments *a, const char *name, uint64_t least, uint64_t most, uint64_t *number);
+/* Which of the known names are given: EXIT_DONE or EXIT_USAGE. Then their values, and all have to be numbers before one is refused. */
+int take_names(const struct arguments *a, struct assignment *known, int count);
+int take_values(const struct assignment *known, int count, bool exact);
 
 /* The operation that the first word names; NULL after a complaint. */
 const struct section *operation_argument(const struct arguments *a);
@@ -82,11 +78,19 @@ const struct section *section_argument(const struct sheet *sheet, const char *id
 /* The whole program, on those sheets: its exit status. */
 int program_run(const struct sources *sources, int count, char **arguments);
 
+/* A number in decimal, with what is said of it; group: a heading that it shares with its neighbours, as meaning it may be NULL. */
+struct number {
+    const char *group, *name, *unit, *meaning;
+    char *value;
+};
+
+/* A line each, or with --json an object of all; id: the operation whose outputs they are, or NULL. */
+void print_numbers(const struct arguments *a, const char *id, long digits, const struct number *numbers, int count);
+
 /* Texts, blanks between them, padded to a width; "-" where there is none. */
 void print_list(const char *const *texts, int count, int width);
 
 /* Everything that was printed is out: EXIT_DONE, or EXIT_FAILED_CHECK after a complaint. */
 int output_finished(void);
-
 
 #endif

@@ -19,8 +19,6 @@
 /* Digits that a motion has to reach unless --digits says otherwise; PROTOCOL.md has the reasons. */
 static const double FLOW_DIGITS = 9, METHOD_DIGITS = 11;
 
-enum { MOST_RANDOM = 100000000 }; /* of each operation: what is never answered is counted one by one */
-
 /* The first --digits about an operation, ID=D; NULL: there is none. */
 static const char *digits_given(const struct arguments *a, const char *id)
 {
@@ -173,19 +171,14 @@ static const char *report_name(const struct arguments *a)
 static int take_questions(struct test_run *e, const struct arguments *a, const char *only)
 {
     const struct sheet *sheet = &a->paper->sheet;
-    uint64_t random = 0, significand = BINARY64;
-    int status;
-    if ((status = option_number(a, "--random", 0, MOST_RANDOM, &random)) != EXIT_DONE ||
-        (status = option_number(a, "--seed", 0, UINT64_MAX, &e->sets.seed)) != EXIT_DONE ||
-        (status = option_number(a, "--significand", 0, UINT64_MAX, &significand)) != EXIT_DONE ||
-        (status = option_inputs(a, &e->sets.form)) != EXIT_DONE)
-        return status;
+    const uint64_t random = option_number(a, "--random");
+    int status = EXIT_DONE;
     if (option_given(a, "--random") != option_given(a, "--seed"))
         return usage_error(EXIT_USAGE, "conform: expected --random N and --seed S together");
-    if (significand != BINARY32 && significand != BINARY64 && significand != BINARY128)
-        return usage_error(EXIT_USAGE, "--significand: expected 24, 53 or 113");
+    e->sets.seed = option_number(a, "--seed");
+    e->sets.form = option_inputs(a);
     e->sets.motions = a->paper->motions.text;
-    e->significand = (int)significand;
+    e->significand = (int)option_number(a, "--significand");
     e->range = option_given(a, "--range");
     for (int i = 0; i < sheet->section_count && status == EXIT_DONE; i++)
         status = take_set(e, a, only, &sheet->sections[i], random);

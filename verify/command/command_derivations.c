@@ -1,5 +1,5 @@
 /* coulomb-tether verify derivations: the steps, each with its proof and what binds it. */
-#include "command/command_verify.h"
+#include "command/command_derivations.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +7,6 @@
 
 #include "command/command.h"
 #include "command/latex.h"
-#include "text/json.h"
 
 /* NAME = VALUE, or NAME LOW ... HIGH: the states that a bound is proved on. */
 static void add_states(struct tex *t, const struct yaml *on)
@@ -84,24 +83,6 @@ static void print_step(const struct step *s)
 
 /* ---- the same as JSON ---- */
 
-/* The sides of an equality, or of a chain of them. */
-static void json_sides(struct json *j, const char *key, const struct step *s, const struct sheet *sheet, const char *text)
-{
-    json_open(j, key, '[');
-    for (const char *end = side_end(text, "=");; text = end + 1, end = side_end(text, "=")) {
-        struct tex t = {NULL, 0};
-        char *side = text_copy(text);
-        side[end - text] = '\0';
-        typeset_side(&t, sheet, &s->corrected, side);
-        json_string(j, NULL, t.text);
-        tex_clear(&t);
-        free(side);
-        if (*end == '\0')
-            break;
-    }
-    json_close(j);
-}
-
 static void json_identities(struct json *j, const char *key, const struct identities *t, const struct proof *p)
 {
     static const char *const results[] = {
@@ -116,18 +97,25 @@ static void json_identities(struct json *j, const char *key, const struct identi
     json_close(j);
 }
 
-/* The algebra by hand, in mathematics. */
-static void json_by_hand(struct json *j, const struct step *s, const struct sheet *sheet)
+/* A line of the algebra by hand, in mathematics: the sides of an equality, or of a chain of them. */
+static void json_line_by_hand(struct json *j, const struct step *s, const struct sheet *sheet, const struct yaml *line)
 {
-    json_line(j, 2);
-    json_open(j, "lines", '[');
-    for (int i = 0; s->line_map != NULL && i < s->line_map->count; i++) {
-        json_open(j, NULL, '{');
-        json_string(j, "how", s->line_map->items[i].key);
-        json_sides(j, "tex", s, sheet, s->line_map->items[i].text);
-        json_close(j);
+    char *text = text_copy(line->text);
+    json_open(j, NULL, '{');
+    json_string(j, "how", line->key);
+    json_open(j, "tex", '[');
+    for (char *side = text, *next; side != NULL; side = next) {
+        struct tex t = {NULL, 0};
+        char *end = (char *)side_end(side, "=");
+        next = *end != '\0' ? end + 1 : NULL;
+        *end = '\0';
+        typeset_side(&t, sheet, &s->corrected, side);
+        json_string(j, NULL, t.text);
+        tex_clear(&t);
     }
     json_close(j);
+    json_close(j);
+    free(text);
 }
 
 /* All that the step's equations drop, as one text. */
@@ -156,23 +144,17 @@ static void json_step(struct json *j, const struct step *s, const struct sheet *
     free(domain);
     json_dropped(j, s);
     json_identities(j, "step", &s->corrected, &s->proof);
-    json_by_hand(j, s, sheet);
+    json_line(j, 2);
+    json_open(j, "lines", '[');
+    for (int i = 0; s->line_map != NULL && i < s->line_map->count; i++)
+        json_line_by_hand(j, s, sheet, &s->line_map->items[i]);
+    json_close(j);
     if (s->differs)
         json_identities(j, "printed", &s->printed, &s->printed_proof);
     json_close(j);
 }
 
-/* JSON is read by programs; what stops a build is told to whoever builds. */
-static void tell_broken(const struct derivations *d, struct step *steps, int count, const char *gap)
-{
-    for (int i = 0; i < count; i++)
-        if (!step_is_bound(d, &steps[i]))
-            fprintf(stderr, "coulomb-tether: step %s is broken, see verify derivations %s\n", steps[i].id, steps[i].id);
-    if (gap != NULL)
-        fprintf(stderr, "coulomb-tether: equation %s is reached by no step, and is no definition\n", gap);
-}
-
-static void json_proofs(struct json *j, const struct sheet *sheet, const struct step *steps, int count, bool fine)
+static void json_steps(struct json *j, const struct sheet *sheet, const struct step *steps, int count, bool fine)
 {
     json_open(j, "derivations", '{');
     json_truth(j, "fine", fine);
@@ -185,21 +167,24 @@ static void json_proofs(struct json *j, const struct sheet *sheet, const struct 
     json_close(j);
 }
 
-bool verify_derivations(struct verification *v)
+bool print_derivations(const struct derivations *d, const char *only, struct json *j)
 {
-    const struct derivations *d = &v->steps;
-    struct step *const steps = v->only != NULL ? step_named(d, v->only) : d->steps;
-    const int count = v->only != NULL ? 1 : d->step_count;
+    struct step *const steps = only != NULL ? step_named(d, only) : d->steps;
+    const int count = only != NULL ? 1 : d->step_count;
     const char *gap = derivations_gap(d);
     int holding = 0, mutants = 0;
     for (int i = 0; i < count; i++) {
-        holding += step_is_bound(d, &steps[i]);
+        const bool bound = step_is_bound(d, &steps[i]);
+        holding += bound;
         mutants += steps[i].binding.mutants;
+        if (!bound && j != NULL) /* JSON is read by programs; what stops a build is told to whoever builds */
+            fprintf(stderr, "coulomb-tether: step %s is broken, see verify derivations %s\n", steps[i].id, steps[i].id);
     }
-    const bool fine = holding == count && (v->only != NULL || gap == NULL);
-    if (v->json != NULL) {
-        json_proofs(v->json, v->sheet, steps, count, fine);
-        tell_broken(d, steps, count, v->only == NULL ? gap : NULL);
+    const bool fine = holding == count && (only != NULL || gap == NULL);
+    if (j != NULL) {
+        json_steps(j, d->sheet, steps, count, fine);
+        if (gap != NULL && only == NULL)
+            fprintf(stderr, "coulomb-tether: equation %s is reached by no step, and is no definition\n", gap);
         return fine;
     }
     for (int i = 0; i < count; i++)

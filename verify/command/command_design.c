@@ -4,12 +4,9 @@
 #include <string.h>
 
 #include "claims/guarantee.h"
-#include "command/command.h"
-#include "motion/motion.h"
+#include "command/command_motion.h"
 #include "proof/identities.h"
-#include "proof/roots.h"
 #include "text/decimal.h"
-#include "text/json.h"
 #include "text/scope.h"
 
 /* A number of the sheet: a formula of the names before it, or ID.OUTPUT of an equation whose inputs they are. */
@@ -54,19 +51,13 @@ enum { DESIGN_ROWS = sizeof design_rows / sizeof *design_rows };
 /* What they start from beside the sheet's quantities: 1/lambda_d, and what is guaranteed, in radians of orbit and L_ref. */
 enum { INVERSE_DEBYE, GUARANTEED, DESIGN_INPUTS = GUARANTEED + GUARANTEES };
 
-struct design_number {
-    const char *group, *name, *unit, *meaning;
-    int node;
-    char *digits;
-};
-
 struct design {
     struct derivations steps;
     struct scenario scenario;
     struct input lambda_d;
     struct identities formulas;
-    struct design_number numbers[DESIGN_ROWS + GUARANTEES];
-    int count;
+    struct number numbers[DESIGN_ROWS + GUARANTEES];
+    int nodes[DESIGN_ROWS + GUARANTEES], count;
 };
 
 /* ---- numbers ---- */
@@ -76,8 +67,10 @@ static void add_number(struct design *d, const char *group, const char *name, co
 {
     const int node = identities_text(&d->formulas, NULL, formula, 0);
     program_name(&d->formulas.program, node, name);
-    if (*group != '\0')
-        d->numbers[d->count++] = (struct design_number){group, name, unit, meaning, node, NULL};
+    if (*group != '\0') {
+        d->nodes[d->count] = node;
+        d->numbers[d->count++] = (struct number){group, name, unit, meaning, NULL};
+    }
 }
 
 /* The rows, then what the energy guarantees, in SI. */
@@ -107,22 +100,9 @@ static void design_formulas(struct design *d)
     }
 }
 
-/* Exact gains may have equal roots. */
-static bool enclose_root_parts(acb_ptr roots, const struct scenario *s, const arb_t c1, const arb_t c2, const arb_t Omega,
-                               slong prec)
-{
-    const struct input *value = s->value;
-    if (s->given[SET_C1] && s->given[SET_C2])
-        return roots41(roots, &value[SET_Omega].value, &value[SET_C1].value, &value[SET_C2].value, prec);
-    const bool isolated = roots41_gains(roots, c1, c2, prec);
-    for (int i = 0; i < 4; i++)
-        acb_mul_arb(roots + i, roots + i, Omega, prec);
-    return isolated;
-}
-
 static void enclose_inputs(struct machine *m, const struct scenario *s, const struct derivations *steps, const struct input *lambda_d, slong prec)
 {
-    static const char *const names[] = {"Omega", "L_ref", "C1", "C2", "k_c", "m1", "m2"};
+    static const char *const names[] = {"Omega", "k_c", "m1", "m2", "L_ref", "C1", "C2"}; /* of a flow's parameters */
     static const char *const root_names[][2] = {{"re1", "im1"}, {"re2", "im2"}, {"re3", "im3"}, {"re4", "im4"}};
     const int first = m->program->inputs - DESIGN_INPUTS;
     FLOW_PARAMETERS(p);
@@ -130,11 +110,9 @@ static void enclose_inputs(struct machine *m, const struct scenario *s, const st
     VECTOR(acb, roots, 4);
     VECTOR(arb, guaranteed, GUARANTEES);
     scenario_parameters(&p, s, prec);
-    arb_srcptr parameters[] = {p.Omega, p.L_ref, p.C1, p.C2, p.k_c, p.m1, p.m2};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        arb_set(machine_value(m, program_find(m->program, names[i])), parameters[i]);
-    flow_gains(c1, c2, &p, prec);
-    const bool isolated = enclose_root_parts(roots, s, c1, c2, p.Omega, prec);
+        arb_set(machine_value(m, program_find(m->program, names[i])), p.Omega + i);
+    const bool isolated = scenario_roots(roots, s, prec);
     for (int i = 0; i < 4; i++) {
         if (!isolated)
             acb_indeterminate(roots + i); /* LCOV_EXCL_LINE: only where two roots meet at gains that are not rational */
@@ -145,6 +123,7 @@ static void enclose_inputs(struct machine *m, const struct scenario *s, const st
         arb_set_fmpq(machine_value(m, first + INVERSE_DEBYE), &lambda_d->value, prec);
         arb_inv(machine_value(m, first + INVERSE_DEBYE), machine_value(m, first + INVERSE_DEBYE), prec);
     }
+    flow_gains(c1, c2, &p, prec);
     guarantees_enclose(guaranteed, steps, c1, c2, NULL, prec);
     for (int i = 0; i < GUARANTEES; i++)
         arb_set(machine_value(m, first + GUARANTEED + i), guaranteed + i);
@@ -164,20 +143,20 @@ static int find_digits(struct design *d, slong digits)
         machine_run(&m);
         rests = !arb_is_positive(machine_value(&m, program_find(&d->formulas.program, "spare")));
         for (int i = 0; i < d->count; i++)
-            if (d->numbers[i].digits == NULL) {
-                arb_set(z, machine_value(&m, d->numbers[i].node));
-                d->numbers[i].digits = decimal_of_ball(z, digits);
-                if (d->numbers[i].digits == NULL && 2 * prec > most) /* a tie, it seems, which has one digit more */
-                    d->numbers[i].digits = decimal_of_ball(z, digits + 1);
+            if (d->numbers[i].value == NULL) {
+                arb_set(z, machine_value(&m, d->nodes[i]));
+                d->numbers[i].value = decimal_of_ball(z, digits);
+                if (d->numbers[i].value == NULL && 2 * prec > most) /* a tie, it seems, which has one digit more */
+                    d->numbers[i].value = decimal_of_ball(z, digits + 1);
             }
         machine_clear(&m);
-        for (open = 0; open < d->count && d->numbers[open].digits != NULL;)
+        for (open = 0; open < d->count && d->numbers[open].value != NULL;)
             open++;
     }
     for (int i = 0; i < d->count && !rests; i++)
         if (strcmp(d->numbers[i].name, "debye") == 0)
             return usage_error(EXIT_FAILED_CHECK, "lambda_d: expected more than %s m, with less nothing rests near L_ref",
-                               d->numbers[i].digits);
+                               d->numbers[i].value);
     return open == d->count ? EXIT_DONE
                             : usage_error(EXIT_FAILED_CHECK, "design: %s: %ld bits do not decide %ld digits",
                                           d->numbers[open].name, (long)most, (long)digits);
@@ -189,6 +168,8 @@ static int find_digits(struct design *d, slong digits)
 static int check_stable(const struct scenario *s)
 {
     const bool by_C1 = s->given[SET_C1];
+    if (fmpq_sgn(&s->value[SET_Omega].value) <= 0) /* which is refused for itself */
+        return EXIT_DONE;
     SCOPE(fmpq, margin);
     fmpq_set(margin, &s->value[by_C1 ? SET_C1 : SET_n].value);
     for (int i = 0; i < 2 && by_C1; i++)
@@ -207,70 +188,19 @@ static int check_stable(const struct scenario *s)
 
 static int read_design(struct design *d, const struct arguments *a)
 {
-    enum { KNOWN = SET_C2 + 2 };
-    struct scenario *s = &d->scenario;
-    const bool may_be_infinite[KNOWN] = {[KNOWN - 1] = true};
-    const char *known[KNOWN] = {NULL}, *refused;
-    bool given[KNOWN] = {false};
-    struct input *values = inputs_new(KNOWN);
-    struct message why;
-    for (int i = 0; i < KNOWN; i++)
-        known[i] = i + 1 < KNOWN ? scenario_names[i] : "lambda_d";
-    int status = read_assignments(a, known, KNOWN, s->exact, may_be_infinite, given, values, &refused);
-    for (int i = 0; i < KNOWN; i++)
-        if (given[i]) {
-            struct input *to = i + 1 < KNOWN ? &s->value[i] : &d->lambda_d;
-            fmpq_swap(&to->value, &values[i].value);
-            to->infinite = values[i].infinite;
-            s->given[i] = i + 1 < KNOWN;
-        }
-    inputs_free(values, KNOWN);
-    if (status == EXIT_DONE && s->given[SET_n] && (s->given[SET_C1] || s->given[SET_C2]))
-        status = usage_error(EXIT_USAGE, "n: expected either n, or C1 and C2");
-    if (status == EXIT_DONE && refused != NULL)
-        status = refuse_assignment(refused, s->exact);
+    int status = read_scenario(&d->scenario, a, &d->lambda_d, false);
     if (status == EXIT_DONE && !d->lambda_d.infinite && fmpq_sgn(&d->lambda_d.value) <= 0)
         status = usage_error(EXIT_FAILED_CHECK, "lambda_d: expected a number > 0, or inf");
-    if (status == EXIT_DONE && fmpq_sgn(&s->value[SET_Omega].value) > 0)
-        status = check_stable(s);
-    if (status == EXIT_DONE && !scenario_valid(s, false, &why))
-        status = usage_error(EXIT_FAILED_CHECK, "%s", why.text);
-    return status;
-}
-
-/* ---- print ---- */
-
-static void print_design(const struct design *d)
-{
-    for (int i = 0; i < d->count; i++) {
-        const struct design_number *z = &d->numbers[i];
-        if (i == 0 || z->group != z[-1].group)
-            printf("# %s\n", z->group);
-        printf("%s = %s %s%s%s\n", z->name, z->digits, z->unit, *z->meaning ? "  # " : "", z->meaning);
-    }
-}
-
-static void print_design_json(const struct design *d, long digits)
-{
-    struct json j = json_on(stdout);
-    json_open(&j, NULL, '{');
-    json_value(&j, "digits", "%ld", digits);
-    json_open(&j, "outputs", '[');
-    for (int i = 0; i < d->count; i++) {
-        const struct design_number *z = &d->numbers[i];
-        json_record(&j, NULL, "group", z->group, "name", z->name, "value", z->digits, "unit", z->unit, "meaning", z->meaning);
-    }
-    json_close(&j);
-    json_close(&j);
+    if (status == EXIT_DONE)
+        status = check_stable(&d->scenario);
+    return status == EXIT_DONE ? check_scenario(&d->scenario, false) : status;
 }
 
 int command_design(const struct arguments *a)
 {
     struct design d = {.lambda_d.infinite = true};
     struct message why;
-    long digits;
-    if (option_digits(a, 8, &digits) != EXIT_DONE)
-        return EXIT_USAGE;
+    const long digits = (long)option_number(a, "--digits");
     if (derivations_open(&d.steps, a->paper, &why) != 0)
         return usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     scenario_init(&d.scenario, &a->paper->sheet, option_given(a, "--exact"));
@@ -280,9 +210,9 @@ int command_design(const struct arguments *a)
     if (status == EXIT_DONE)
         status = find_digits(&d, digits);
     if (status == EXIT_DONE)
-        option_given(a, "--json") ? print_design_json(&d, digits) : print_design(&d);
+        print_numbers(a, NULL, digits, d.numbers, d.count);
     for (int i = 0; i < d.count; i++)
-        free(d.numbers[i].digits);
+        free(d.numbers[i].value);
     identities_clear(&d.formulas);
     fmpq_clear(&d.lambda_d.value);
     scenario_clear(&d.scenario);

@@ -4,52 +4,41 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/command.h"
+#include "command/command_motion.h"
 #include "conform/test_set.h"
-#include "evaluate/sample.h"
-#include "motion/motion.h"
 #include "text/decimal.h"
-#include "text/json.h"
 #include "text/scope.h"
 
-/* A nonlinear motion's initial state is that of the paper's attitude and length error by (10), the binary64 nearest to it. */
-static void take_paper_state(const struct section *s, bool exact, const bool *seen, struct input *inputs)
+/*
+ * The paper's case for what is not given: Table 1, the initial values, and what follows from them. A nonlinear motion's initial
+ * state is that of the paper's attitude and length error by (10), the binary64 nearest to it.
+ */
+static void take_paper_case(const struct section *s, bool exact, const struct assignment *known, struct input *inputs)
 {
-    enum { STATE_BITS = 256 };
     OWNED(scenario) paper;
-    FLOW_PARAMETERS(p);
-    VECTOR(arb, state, FLOW_STATE);
+    bool given[MOST_INPUTS];
     scenario_init(&paper, s->sheet, exact);
-    for (int k = SET_m1; k <= SET_L_ref; k++) /* which may have been given */
-        fmpq_set(&paper.value[k].value, &inputs[input_place(s, scenario_names[k])].value);
-    scenario_parameters(&p, &paper, STATE_BITS);
-    scenario_initial(state, &paper, &p, true, STATE_BITS);
-    const int first = input_place(s, "x1_0");
-    for (int i = 0; i < FLOW_STATE; i++)
-        if (!seen[first + i] && arb_is_finite(state + i)) /* not where the masses are refused in the end */
-            fmpq_set_double(&inputs[first + i].value, arf_get_d(arb_midref(state + i), ARF_RND_NEAR));
-}
-
-/* The paper's case for what is not given: Table 1, the initial values, and what follows from them. */
-static void take_paper_case(const struct section *s, bool exact, bool *seen, struct input *inputs)
-{
     for (int i = 0; i < s->input_count; i++) {
         const struct quantity *q = s->inputs[i];
         const char *text = q->value != NULL ? q->value : q->example; /* the sheet's reader has seen to it that there is one */
-        if (!seen[i])
+        given[i] = known[i].text != NULL;
+        if (!given[i])
             inputs[i].infinite = literal_read(&inputs[i].value, text, exact) == LITERAL_INFINITE;
     }
-    if (s->method == METHOD_FLOW_NONLINEAR || s->method == METHOD_RK4_NONLINEAR)
-        take_paper_state(s, exact, seen, inputs);
-    memset(seen, true, (size_t)s->input_count);
+    if (s->method != METHOD_FLOW_NONLINEAR && s->method != METHOD_RK4_NONLINEAR)
+        return;
+    for (int k = SET_m1; k <= SET_L_ref; k++) /* which may have been given */
+        fmpq_set(&paper.value[k].value, &inputs[input_place(s, scenario_names[k])].value);
+    const int first = input_place(s, "x1_0");
+    start_by_angles(inputs + first, given + first, &paper);
 }
 
 /* What is missing, all of it in one line. */
-static int check_given(const struct section *s, const bool *seen)
+static int check_given(const struct section *s, const struct assignment *known)
 {
     char missing[2048] = "";
     for (int i = 0; i < s->input_count; i++)
-        if (!seen[i]) {
+        if (known[i].text == NULL) {
             add_text(missing, sizeof missing, ", ", s->inputs[i]->name);
             add_text(missing, sizeof missing, " [", s->inputs[i]->unit);
             add_text(missing, sizeof missing, "", "]");
@@ -58,71 +47,46 @@ static int check_given(const struct section *s, const bool *seen)
                             : usage_error(EXIT_USAGE, "%s: missing %s; --table1 fills in the paper's case", s->id, missing);
 }
 
-static int read_inputs(const struct arguments *a, const struct section *s, bool exact,
-                       struct input *inputs)
+static int read_inputs(const struct arguments *a, const struct section *s, bool exact, struct input *inputs)
 {
-    const char *known[MOST_INPUTS];
-    bool seen[MOST_INPUTS] = {false}, may_be_infinite[MOST_INPUTS];
-    for (int i = 0; i < s->input_count; i++) {
-        known[i] = s->inputs[i]->name;
-        may_be_infinite[i] = s->inputs[i]->domain == DOMAIN_POSITIVE_OR_INFINITE;
-    }
-    const char *refused;
-    int status = read_assignments(a, known, s->input_count, exact, may_be_infinite, seen, inputs, &refused);
-    if (status != EXIT_DONE)
-        return status;
-    if (option_given(a, "--table1"))
-        take_paper_case(s, exact, seen, inputs);
-    status = check_given(s, seen);
-    return status == EXIT_DONE && refused != NULL ? refuse_assignment(refused, exact) : status;
-}
-
-static void print_outputs(const struct section *s, char *const *digits)
-{
-    for (int i = 0; i < s->output_count; i++)
-        printf("%s = %s %s\n", s->outputs[i]->name, digits[i], s->outputs[i]->unit);
-}
-
-static void print_values_json(const struct section *s, bool as_printed, long count, char *const *digits)
-{
-    struct json j = json_on(stdout);
-    json_open(&j, NULL, '{');
-    json_string(&j, "id", s->id);
-    json_truth(&j, "as_printed", as_printed);
-    json_value(&j, "digits", "%ld", count);
-    json_open(&j, "outputs", '[');
-    for (int i = 0; i < s->output_count; i++)
-        json_record(&j, NULL, "name", s->outputs[i]->name, "value", digits[i], "unit", s->outputs[i]->unit);
-    json_close(&j);
-    json_close(&j);
+    struct assignment known[MOST_INPUTS] = {{NULL}};
+    const bool paper = option_given(a, "--table1");
+    for (int i = 0; i < s->input_count; i++)
+        known[i] = (struct assignment){.name = s->inputs[i]->name, .value = inputs + i,
+                                       .may_be_infinite = s->inputs[i]->domain == DOMAIN_POSITIVE_OR_INFINITE};
+    int status = take_names(a, known, s->input_count);
+    if (status == EXIT_DONE && !paper)
+        status = check_given(s, known);
+    if (status == EXIT_DONE)
+        status = take_values(known, s->input_count, exact);
+    if (status == EXIT_DONE && paper)
+        take_paper_case(s, exact, known, inputs);
+    return status;
 }
 
 static int evaluate_section(const struct arguments *a, const struct section *s, long digits)
 {
-    const bool as_printed = option_given(a, "--as-printed");
-    struct input *inputs = inputs_new(s->input_count);
+    INPUTS(inputs);
     char *outputs[MOST_OUTPUTS] = {NULL};
-    struct operation o;
-    operation_init(&o, s, as_printed);
-    int status = read_inputs(a, s, option_given(a, "--exact"), inputs);
-    if (status == EXIT_DONE && operation_digits(&o, inputs, digits, outputs) != OPERATION_PROVED)
-        status = usage_error(EXIT_FAILED_CHECK, "%s", o.why.text);
-    if (status == EXIT_DONE) {
-        if (option_given(a, "--json"))
-            print_values_json(s, as_printed, digits, outputs);
-        else
-            print_outputs(s, outputs);
-    }
+    struct number numbers[MOST_OUTPUTS];
+    OWNED(operation) o;
+    operation_init(&o, s, option_given(a, "--as-printed"));
+    const int status = read_inputs(a, s, option_given(a, "--exact"), inputs);
+    if (status != EXIT_DONE)
+        return status;
+    if (operation_digits(&o, inputs, digits, outputs) != OPERATION_PROVED)
+        return usage_error(EXIT_FAILED_CHECK, "%s", o.why.text);
+    for (int i = 0; i < s->output_count; i++)
+        numbers[i] = (struct number){.name = s->outputs[i]->name, .unit = s->outputs[i]->unit, .value = outputs[i]};
+    print_numbers(a, s->id, digits, numbers, s->output_count);
     for (int i = 0; i < s->output_count; i++)
         free(outputs[i]);
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
-    return status;
+    return EXIT_DONE;
 }
 
 /* ---- question lines ---- */
 
-enum { LONGEST_QUESTION = 65536 };
+enum { LONGEST_QUESTION = 65536 }; /* with the zero byte that ends it */
 
 struct questions {
     const struct sheet *sheet;
@@ -203,15 +167,13 @@ static int answer_line(struct questions *q, char *line)
 /* The next line without its LF; false at the end, or where it cannot be read. It is not fine with a zero byte, or too long. */
 static bool next_line(char line[LONGEST_QUESTION], bool *fine)
 {
-    size_t length = 0;
-    int c = 0;
-    *fine = true;
-    while (*fine && (c = getchar()) != EOF && c != '\n') {
-        line[length++] = (char)c;
-        *fine = c != '\0' && length < LONGEST_QUESTION;
-    }
-    line[*fine ? length : 0] = '\0';
-    return !ferror(stdin) && (c != EOF || length > 0);
+    int length = 0;
+    *line = '\0';
+    if (scanf("%65535[^\n]%n", line, &length) == EOF)
+        return false;
+    const int end = getchar();
+    *fine = strlen(line) == (size_t)length && (end == '\n' || end == EOF);
+    return !ferror(stdin);
 }
 
 /* Each line is answered before the next is read: who asks may wait for it. The first malformed one ends it. */
@@ -242,29 +204,25 @@ static int answer_lines(struct questions *q)
 static int answer_questions(const struct arguments *a, long digits)
 {
     const struct sheet *sheet = &a->paper->sheet;
-    const int sections = sheet->section_count;
+    INPUTS(inputs);
     struct questions q = {.sheet = sheet, .digits = digits, .exact = option_given(a, "--exact"),
-                          .as_printed = option_given(a, "--as-printed"),
-                          .inputs = inputs_new(MOST_INPUTS)};
-    q.operations = xrealloc(NULL, (size_t)sections, sizeof *q.operations);
-    memset(q.operations, 0, (size_t)sections * sizeof *q.operations);
+                          .as_printed = option_given(a, "--as-printed"), .inputs = inputs};
+    const size_t size = (size_t)sheet->section_count * sizeof *q.operations;
+    q.operations = memset(xrealloc(NULL, size, 1), 0, size);
     const int status = answer_lines(&q);
-    for (int i = 0; i < sections; i++)
+    for (int i = 0; i < sheet->section_count; i++)
         if (q.operations[i].section != NULL)
             operation_clear(&q.operations[i]);
     free(q.operations);
-    inputs_free(q.inputs, MOST_INPUTS);
     return status;
 }
 
 int command_eval(const struct arguments *a)
 {
-    long digits;
-    if (option_digits(a, 40, &digits) != EXIT_DONE)
-        return EXIT_USAGE;
-    if (a->word_count > 0 && strcmp(a->words[0], "-") == 0)
-        return a->assignment_count == 0 ? answer_questions(a, digits)
-                                        : usage_error(EXIT_USAGE, "eval -: unexpected argument '%s'", a->assignments[0]);
-    const struct section *s = operation_argument(a);
-    return s != NULL ? evaluate_section(a, s, digits) : EXIT_USAGE;
+    const long digits = (long)option_number(a, "--digits");
+    const bool lines = a->word_count > 0 && strcmp(a->words[0], "-") == 0;
+    if (lines && a->assignment_count > 0)
+        return usage_error(EXIT_USAGE, "eval -: unexpected argument '%s'", a->assignments[0]);
+    const struct section *s = lines ? NULL : operation_argument(a);
+    return lines ? answer_questions(a, digits) : s != NULL ? evaluate_section(a, s, digits) : EXIT_USAGE;
 }

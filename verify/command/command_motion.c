@@ -1,4 +1,4 @@
-/* coulomb-tether trajectory: a motion as CSV, every digit proved. */
+/* coulomb-tether trajectory, and the figures that are motions, as CSV, every digit proved. */
 #include "command/command_motion.h"
 
 #include <stdio.h>
@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "evaluate/sample.h"
+#include "proof/roots.h"
 #include "text/decimal.h"
 #include "text/progress.h"
 #include "text/scope.h"
@@ -14,19 +15,21 @@ enum { MOST_ROWS = 1000000 };
 
 /* ---- times ---- */
 
-void times_clear(struct times *times)
+struct times {
+    fmpq *t;
+    slong count;
+};
+
+static void times_clear(struct times *times)
 {
     _fmpq_vec_clear(times->t, times->count);
 }
 
 static double nearest_binary64(const fmpq_t t)
 {
-    mpfr_t x;
-    mpfr_init2(x, 53);
-    fmpq_get_mpfr(x, t, MPFR_RNDN);
-    const double nearest = mpfr_get_d(x, MPFR_RNDN);
-    mpfr_clear(x);
-    return nearest;
+    SCOPE(arf, x);
+    arf_set_fmpq(x, t, 53, ARF_RND_NEAR);
+    return arf_get_d(x, ARF_RND_NEAR);
 }
 
 /* The shortest decimal that means the time; where that means another, as decimals do when they are exact, all its digits. */
@@ -67,7 +70,7 @@ static int times_at(struct times *times, const char *list, bool exact)
 }
 
 /* Multiples of the decimal that is written; not exact, each time is the binary64 nearest to its own, as in --at. */
-int times_every(struct times *times, const char *every, const char *until, bool exact)
+static int times_every(struct times *times, const char *every, const char *until, bool exact)
 {
     SCOPE(fmpq, step, end, rows);
     SCOPE(fmpz, whole);
@@ -91,8 +94,7 @@ int times_every(struct times *times, const char *every, const char *until, bool 
     times->t = _fmpq_vec_init(times->count);
     for (slong i = 0; i < times->count; i++) {
         fmpq *t = times->t + i;
-        fmpq_set_si(rows, last < 0 ? -i : i, 1);
-        fmpq_mul(t, step, rows);
+        fmpq_mul_si(t, step, last < 0 ? -i : i);
         if (!exact)
             fmpq_set_double(t, nearest_binary64(t));
     }
@@ -112,7 +114,16 @@ static int times_option(struct times *times, const struct arguments *a, bool exa
 
 /* ---- scenario ---- */
 
-static int check_combination(const struct scenario *s, bool nonlinear)
+int names_taken(const struct subcommand *s, const char *names[MOST_NAMES])
+{
+    const bool design = s->run == command_design, motion = s->run == command_trajectory || s->run == command_figure;
+    const int count = motion ? SCENARIO_VALUES : design ? SET_C2 + 2 : 0;
+    for (int i = 0; i < count; i++)
+        names[i] = design && i + 1 == count ? "lambda_d" : scenario_names[i];
+    return count;
+}
+
+static int check_combination(const struct scenario *s, bool nonlinear, bool set)
 {
     bool angles = false;
     int cartesian = 0;
@@ -124,107 +135,128 @@ static int check_combination(const struct scenario *s, bool nonlinear)
         return usage_error(EXIT_USAGE, "n: expected either n, or C1 and C2");
     if (cartesian > 0 && !nonlinear)
         return usage_error(EXIT_USAGE, "x1 ... z1_dot: expected for nonlinear motions alone");
-    if (cartesian > 0 && (cartesian < FLOW_STATE || angles))
+    if (cartesian > 0 && (angles || (cartesian < FLOW_STATE && !set)))
         return usage_error(EXIT_USAGE, "x1 ... z1_dot: expected all six, and no angles with them");
     return EXIT_DONE;
 }
 
-/* Where some of x1 ... z1_dot are given of a set, the others are the binary64 nearest to where the angles have them. */
-static void complete_start(struct scenario *s)
+void start_by_angles(struct input *start, const bool *given, const struct scenario *s)
 {
-    enum { BITS = 128 };
-    int given = 0;
-    for (int i = SET_x1; i <= SET_z1_dot; i++)
-        given += s->given[i];
-    if (given == 0)
-        return;
+    enum { BITS = 256 };
     FLOW_PARAMETERS(p);
     VECTOR(arb, state, FLOW_STATE);
-    SCOPE(arf, near);
     scenario_parameters(&p, s, BITS);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_fmpq(state + i, &s->value[SET_psi + i].value, BITS);
     state_from_angles(state, s->sheet, &p, BITS);
     for (int i = 0; i < FLOW_STATE; i++)
-        if (!s->given[SET_x1 + i] && arb_is_finite(state + i)) {
-            arf_set_round(near, arb_midref(state + i), 53, ARF_RND_NEAR);
-            arf_get_fmpq(&s->value[SET_x1 + i].value, near);
-            s->given[SET_x1 + i] = true;
-        }
+        if (!given[i] && arb_is_finite(state + i)) /* not where the masses are refused in the end */
+            fmpq_set_double(&start[i].value, arf_get_d(arb_midref(state + i), ARF_RND_NEAR));
 }
 
-int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear)
+int read_scenario(struct scenario *s, const struct arguments *a, struct input *lambda_d, bool nonlinear)
 {
-    static const bool never_infinite[SCENARIO_VALUES] = {false};
-    struct message why;
-    const char *refused;
-    int status = read_assignments(a, scenario_names, SCENARIO_VALUES, s->exact, never_infinite, s->given, s->value, &refused);
-    if (status == EXIT_DONE && option_given(a, "--set"))
-        complete_start(s);
+    const bool set = option_given(a, "--set");
+    const char *names[MOST_NAMES];
+    struct assignment known[MOST_NAMES] = {{NULL}};
+    const int count = names_taken(a->subcommand, names);
+    bool completes = false;
+    for (int i = 0; i < count; i++) {
+        known[i] = (struct assignment){.name = names[i], .value = &s->value[i]};
+        known[i].radius = set && may_have_radius((enum scenario_name)i) ? s->radius + i : NULL;
+    }
+    if (lambda_d != NULL) {
+        known[count - 1].value = lambda_d;
+        known[count - 1].may_be_infinite = true;
+    }
+    int status = take_names(a, known, count);
+    for (int i = 0; i < SCENARIO_VALUES; i++)
+        s->given[i] = known[i].text != NULL && known[i].value == &s->value[i];
     if (status == EXIT_DONE)
-        status = check_combination(s, nonlinear);
-    if (status != EXIT_DONE)
-        return status;
-    if (refused != NULL)
-        return refuse_assignment(refused, s->exact);
-    return scenario_valid(s, nonlinear, &why) ? EXIT_DONE
-                                             : usage_error(EXIT_FAILED_CHECK, "%s", why.text);
-}
-
-/* NAME=VALUE+-RADIUS into the scenario's values and radii; what is read as NAME=VALUE ends at the sign. */
-static int read_set(struct scenario *s, const struct arguments *a)
-{
-    const char *radius[SCENARIO_VALUES] = {NULL};
-    struct message why;
-    for (int k = 0; k < a->assignment_count; k++) {
-        char *text = a->assignments[k], *sign = strstr(text, "+-");
-        for (int i = 0; i < SCENARIO_VALUES && sign != NULL; i++)
-            if (strncmp(scenario_names[i], text, strcspn(text, "=")) == 0 && scenario_names[i][strcspn(text, "=")] == '\0')
-                radius[i] = sign + 2;
-        if (sign != NULL)
-            *sign = '\0';
+        status = check_combination(s, nonlinear, set);
+    if (status == EXIT_DONE)
+        status = take_values(known, count, s->exact);
+    for (int i = SET_x1; i <= SET_z1_dot; i++)
+        completes = completes || s->given[i];
+    if (status == EXIT_DONE && completes) { /* of a set some will do */
+        start_by_angles(&s->value[SET_x1], &s->given[SET_x1], s);
+        memset(&s->given[SET_x1], true, FLOW_STATE);
     }
-    int status = read_scenario(s, a, true);
-    for (int i = 0; i < SCENARIO_VALUES && status == EXIT_DONE; i++) {
-        const char *name = scenario_names[i];
-        if (radius[i] != NULL)
-            status = may_have_radius((enum scenario_name)i) ? finite_argument(s->radius + i, name, radius[i], s->exact)
-                                                             : usage_error(EXIT_USAGE, "%s: expected without +-", name);
-        if (status == EXIT_DONE && fmpq_sgn(s->radius + i) < 0)
-            status = usage_error(EXIT_FAILED_CHECK, "%s: expected a number >= 0 after +-, got '%.40s'", name, radius[i]);
-    }
-    if (status == EXIT_DONE && !scenario_valid(s, true, &why))
-        status = usage_error(EXIT_FAILED_CHECK, "%s", why.text);
     return status;
 }
 
-static int refuse_radius(const struct arguments *a)
+int check_scenario(const struct scenario *s, bool nonlinear)
 {
-    for (int k = 0; k < a->assignment_count; k++)
-        if (strstr(a->assignments[k], "+-") != NULL)
-            return usage_error(EXIT_USAGE, "%.60s: a value with a radius is a set of motions, expected with --set", a->assignments[k]);
-    return EXIT_DONE;
+    struct message why;
+    return scenario_valid(s, nonlinear, &why) ? EXIT_DONE : usage_error(EXIT_FAILED_CHECK, "%s", why.text);
+}
+
+bool scenario_roots(acb_ptr roots, const struct scenario *s, slong prec)
+{
+    const bool by_n = !s->given[SET_C1] && !s->given[SET_C2];
+    const fmpq *Omega = &s->value[SET_Omega].value, *n = &s->value[SET_n].value;
+    SCOPE(fmpq, C1, C2);
+    SCOPE(arb, c1, c2);
+    FLOW_PARAMETERS(p);
+    fmpq_set(C1, &s->value[SET_C1].value);
+    fmpq_set(C2, &s->value[SET_C2].value);
+    if (by_n)
+        fmpq_sub_si(C2, n, 9);
+    const bool rational = by_n && fmpz_is_square(fmpq_numref(C2)) && fmpz_is_square(fmpq_denref(C2));
+    if (rational) {
+        fmpz_sqrt(fmpq_numref(C2), fmpq_numref(C2));
+        fmpz_sqrt(fmpq_denref(C2), fmpq_denref(C2));
+        fmpq_mul(C2, C2, Omega);
+        fmpq_mul_2exp(C2, C2, 1);
+        fmpq_mul(C1, n, Omega);
+        fmpq_mul(C1, C1, Omega);
+    }
+    if (rational || (s->given[SET_C1] && s->given[SET_C2]))
+        return roots41(roots, Omega, C1, C2, prec);
+    scenario_parameters(&p, s, prec);
+    flow_gains(c1, c2, &p, prec);
+    const bool isolated = roots41_gains(roots, c1, c2, prec);
+    _acb_vec_scalar_mul_arb(roots, roots, 4, p.Omega, prec);
+    return isolated;
 }
 
 /* ---- rows ---- */
 
+/* What the first word asks for. */
+static const struct view {
+    const char *name;
+    struct motion motion;
+    int first, count; /* numbers of a row */
+    const char *heads[ROW_NUMBERS];
+} views[] = {
+    {"linear", {.nonlinear = false}, 0, FLOW_STATE, {"psi", "theta", "dL", "psi_dot", "theta_dot", "dL_dot"}},
+    {"nonlinear", {.nonlinear = true, .charges = true}, 0, ROW_NUMBERS, {"x1", "y1", "z1", "x1_dot", "y1_dot", "z1_dot", "q1", "q2"}},
+    /* figures */
+    {"5a", {.nonlinear = false}, 0, 3, {"psi", "theta", "dL"}},
+    {"5b", {.small_angles = true}, 0, 3, {"x1", "y1", "z1"}},
+    {"6", {.nonlinear = true}, 0, 3, {"x1", "y1", "z1"}},
+    {"7a", {.nonlinear = true, .charges = true, .microcoulomb = true}, FLOW_STATE, 1, {"q1_uC"}},
+    {"7b", {.nonlinear = true, .charges = true, .microcoulomb = true}, FLOW_STATE + 1, 1, {"q2_uC"}},
+};
+
 struct row_printer {
     FILE *out;
-    slong rows;
+    const struct motion *motion;
+    const struct times *times;
     int first, count;   /* which numbers of a row */
-    bool bare, exact;   /* rows without a time; a time is the decimal itself */
+    bool bare;          /* rows without a time */
     const char *beside; /* what stands beside the rows that are left, a line each; NULL: nothing */
     struct progress progress;
 };
 
-static int print_motion_row(void *context, slong k, const fmpq_t t, char *const *numbers)
+static int print_row(void *context, slong k, const fmpq_t t, char *const *numbers)
 {
     struct row_printer *p = context;
-    char *time = time_text(t, p->exact);
+    char *time = time_text(t, p->motion->scenario->exact);
     if (!p->bare)
         fputs(time, p->out);
     free(time);
-    progress_show(&p->progress, (uint64_t)k + 1, (uint64_t)p->rows);
+    progress_show(&p->progress, (uint64_t)k + 1, (uint64_t)p->times->count);
     for (int i = p->first; i < p->first + p->count; i++)
         fprintf(p->out, ",%s", numbers[i]);
     if (p->beside != NULL) {
@@ -236,16 +268,17 @@ static int print_motion_row(void *context, slong k, const fmpq_t t, char *const 
     return ferror(p->out);
 }
 
-int print_motion(FILE *out, const struct motion *m, const struct times *times, int first, int count, bool bare, const char *beside)
+static int print_rows(struct row_printer p)
 {
     struct message why;
-    struct row_printer p = {out, times->count, first, count, bare, m->scenario->exact, beside, progress_begin(m->most_pieces == 0)};
-    const int failed = motion_rows(m, times->t, times->count, print_motion_row, &p, &why);
+    p.progress = progress_begin(p.motion->most_pieces == 0);
+    const int failed = motion_rows(p.motion, p.times->t, p.times->count, print_row, &p, &why);
     progress_end(&p.progress);
-    return failed && !ferror(out) ? usage_error(EXIT_FAILED_CHECK, "%s", why.text) : EXIT_DONE;
+    return failed && !ferror(p.out) ? usage_error(EXIT_FAILED_CHECK, "%s", why.text) : EXIT_DONE;
 }
 
-int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, bool exact)
+/* --rk4 H: H > 0, and every time a multiple of it, none before 0. */
+static int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, bool exact)
 {
     SCOPE(fmpq, steps);
     const char *text = option_value(a, "--rk4");
@@ -263,47 +296,64 @@ int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, boo
     return status;
 }
 
-static void print_heads(bool nonlinear, bool set)
+/* The rows, of a figure those of the Runge-Kutta method beside them: these are made first. */
+static int print_view(const struct view *v, struct motion m, const struct times *times, const fmpq *h, bool beside)
 {
-    const enum scenario_name first = nonlinear ? SET_x1 : SET_psi;
-    putchar('t');
-    for (int i = 0; i < (nonlinear ? ROW_NUMBERS : FLOW_STATE); i++) {
-        const char *name = i < FLOW_STATE ? scenario_names[first + i] : i == FLOW_STATE ? "q1" : "q2";
-        printf(set ? ",%s_low,%s_high" : ",%s", name, name);
+    const bool set = m.most_pieces > 0;
+    struct row_printer p = {.out = stdout, .motion = &m, .times = times, .first = v->first, .count = set ? SET_NUMBERS : v->count};
+    char *rows = NULL;
+    size_t size;
+    int status = EXIT_DONE;
+    m.h = h;
+    if (beside) {
+        struct row_printer kept = p;
+        kept.out = open_memstream(&rows, &size);
+        if (kept.out == NULL)
+            out_of_memory();
+        kept.bare = true;
+        status = print_rows(kept);
+        if (fclose(kept.out) != 0)
+            out_of_memory();
+        m.h = NULL;
+        p.beside = rows;
     }
-    putchar('\n');
+    if (status == EXIT_DONE) {
+        putchar('t');
+        for (int i = 0; i < v->count; i++)
+            printf(set ? ",%s_low,%s_high" : ",%s", v->heads[i], v->heads[i]);
+        for (int i = 0; i < v->count && beside; i++)
+            printf(",%s_rk4", v->heads[i]);
+        putchar('\n');
+        status = print_rows(p);
+    }
+    free(rows);
+    return status;
 }
 
 int command_trajectory(const struct arguments *a)
 {
     enum { MOST_PIECES = 256 }; /* some minutes of processor time; options.c says so */
-    int status = EXIT_DONE;
-    const bool exact = option_given(a, "--exact"), set = option_given(a, "--set");
-    struct motion m = {0};
+    const bool exact = option_given(a, "--exact"), set = option_given(a, "--set"), rk4 = option_given(a, "--rk4");
+    const struct view *v = views;
     OWNED(scenario) s;
     OWNED(times) times = {0};
     SCOPE(fmpq, h);
     scenario_init(&s, &a->paper->sheet, exact);
+    while (strcmp(v->name, a->words[0]) != 0)
+        v++;
+    struct motion m = v->motion;
     m.scenario = &s;
-    m.nonlinear = m.charges = strcmp(a->words[0], "nonlinear") == 0;
-    if (set && option_given(a, "--rk4"))
-        status = usage_error(EXIT_USAGE, "--set: expected without --rk4");
+    m.digits = (slong)option_number(a, "--digits");
+    m.most_pieces = set ? MOST_PIECES : 0;
+    int status = set && rk4 ? usage_error(EXIT_USAGE, "--set: expected without --rk4") : EXIT_DONE;
     if (status == EXIT_DONE)
-        status = option_digits(a, 17, &m.digits);
+        status = read_scenario(&s, a, NULL, m.nonlinear);
     if (status == EXIT_DONE)
-        status = set ? read_set(&s, a) : refuse_radius(a);
-    if (status == EXIT_DONE && !set)
-        status = read_scenario(&s, a, m.nonlinear);
+        status = check_scenario(&s, m.nonlinear);
     if (status == EXIT_DONE)
         status = times_option(&times, a, exact);
-    if (status == EXIT_DONE && option_given(a, "--rk4")) {
+    if (status == EXIT_DONE && rk4)
         status = read_rk4(h, a, &times, exact);
-        m.h = h;
-    }
-    if (status == EXIT_DONE) {
-        m.most_pieces = set ? MOST_PIECES : 0;
-        print_heads(m.nonlinear, set);
-        status = print_motion(stdout, &m, &times, 0, set ? SET_NUMBERS : m.nonlinear ? ROW_NUMBERS : FLOW_STATE, false, NULL);
-    }
-    return status;
+    const bool beside = rk4 && a->subcommand->run == command_figure;
+    return status == EXIT_DONE ? print_view(v, m, &times, rk4 ? h : NULL, beside) : status;
 }

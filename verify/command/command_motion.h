@@ -1,28 +1,22 @@
-/* What trajectory and figure share: times, the scenario and rows from the command line. */
+/* What trajectory, figure and design share: the scenario from the command line. */
 #ifndef CT_COMMAND_MOTION_H
 #define CT_COMMAND_MOTION_H
-
-#include <stdio.h>
 
 #include "command/command.h"
 #include "motion/motion.h"
 
-struct times {
-    fmpq *t;
-    slong count;
-};
+/* The names that a subcommand takes, in the order of scenario_names, lambda_d last of design's; how many. */
+enum { MOST_NAMES = SCENARIO_VALUES };
+int names_taken(const struct subcommand *s, const char *names[MOST_NAMES]);
 
-/* 0, every, 2 every ... until; EXIT_DONE or a status after a complaint. */
-int times_every(struct times *times, const char *every, const char *until, bool exact);
-void times_clear(struct times *times);
+/* All NAME=VALUE into the scenario, and lambda_d where that is taken; then whether they lie in their domains. */
+int read_scenario(struct scenario *s, const struct arguments *a, struct input *lambda_d, bool nonlinear);
+int check_scenario(const struct scenario *s, bool nonlinear);
 
-/* All NAME=VALUE into the scenario. */
-int read_scenario(struct scenario *s, const struct arguments *a, bool nonlinear);
+/* What is not given of x1 ... z1_dot: the binary64 nearest to where the angles have it. */
+void start_by_angles(struct input *start, const bool *given, const struct scenario *s);
 
-/* --rk4 H: H > 0, and every time a multiple of it, none before 0. */
-int read_rk4(fmpq_t h, const struct arguments *a, const struct times *times, bool exact);
-
-/* A line a time: t unless bare, `count` numbers of the row, and what stands beside in lines of its own (NULL: nothing). */
-int print_motion(FILE *out, const struct motion *m, const struct times *times, int first, int count, bool bare, const char *beside);
+/* The roots of (41), in 1/s, those of rational gains by exact ones. False: not isolated. */
+bool scenario_roots(acb_ptr roots, const struct scenario *s, slong prec);
 
 #endif

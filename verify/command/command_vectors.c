@@ -24,37 +24,27 @@ static int take_shard(const char *text, uint64_t *first, uint64_t *count, bool *
 
 static int print_random_vectors(const struct arguments *a, const struct section *s, enum input_form form)
 {
-    uint64_t first = 0, count = 0, seed = 0;
+    uint64_t first = 0, count = option_number(a, "--count");
     bool header = true;
     if (!option_given(a, "--count") || !option_given(a, "--seed"))
         return usage_error(EXIT_USAGE, "vectors: expected --count N and --seed S, or --golden");
-    int status = option_number(a, "--count", 0, UINT64_MAX, &count);
-    if (status == EXIT_DONE)
-        status = option_number(a, "--seed", 0, UINT64_MAX, &seed);
     const char *shard = option_value(a, "--shard");
-    if (status == EXIT_DONE && shard != NULL)
-        status = take_shard(shard, &first, &count, &header);
-    if (status != EXIT_DONE)
-        return status;
+    if (shard != NULL && take_shard(shard, &first, &count, &header) != EXIT_DONE)
+        return EXIT_USAGE;
     if (header)
         vectors_header(s);
-    return vectors_random(s, seed, first, count, form) ? EXIT_DONE : EXIT_FAILED_CHECK;
+    return vectors_random(s, option_number(a, "--seed"), first, count, form) ? EXIT_DONE : EXIT_FAILED_CHECK;
 }
 
 int command_vectors(const struct arguments *a)
 {
     const struct section *s = operation_argument(a);
+    const bool random = option_given(a, "--count") || option_given(a, "--seed");
     if (s == NULL)
         return EXIT_USAGE;
-    enum input_form form;
-    int status = option_inputs(a, &form);
-    const bool golden = option_given(a, "--golden");
-    const bool random = option_given(a, "--count") || option_given(a, "--seed");
-    if (status == EXIT_DONE && golden && random)
-        status = usage_error(EXIT_USAGE, "--golden: expected without --count and --seed");
-    else if (status == EXIT_DONE && golden)
-        status = vectors_golden(s, form) ? EXIT_DONE : EXIT_FAILED_CHECK;
-    else if (status == EXIT_DONE)
-        status = print_random_vectors(a, s, form);
-    return status;
+    if (!option_given(a, "--golden"))
+        return print_random_vectors(a, s, option_inputs(a));
+    if (random)
+        return usage_error(EXIT_USAGE, "--golden: expected without --count and --seed");
+    return vectors_golden(s, option_inputs(a)) ? EXIT_DONE : EXIT_FAILED_CHECK;
 }

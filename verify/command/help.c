@@ -3,8 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "command/command.h"
-#include "motion/motion.h"
+#include "command/command_motion.h"
 
 enum { WIDTH = 100, INDENT = 4, EXAMPLE = 6, COLUMN = 24 };
 
@@ -32,14 +31,6 @@ static bool stands_beside(const struct option *o, const struct subcommand *s, co
     for (const struct option *other = options; other->name != NULL && !with; other++)
         with = other != o && word_in(o->with, "|", other->name) && stands_beside(other, s, way);
     return with;
-}
-
-/* The names whose values may be given to a subcommand; NULL after the last. */
-static const char *name_taken(const struct subcommand *s, int i)
-{
-    const bool motion = s->run == command_trajectory || s->run == command_figure, design = s->run == command_design;
-    const int count = motion ? SCENARIO_VALUES : design ? SET_C2 + 1 : 0;
-    return i < count ? scenario_names[i] : design && i == count ? "lambda_d" : NULL;
 }
 
 /* What an option or a name is, its unit, and its value unless given. */
@@ -134,11 +125,13 @@ static void print_options(const struct subcommand *s)
 static void print_names(const struct sheet *sheet, const struct subcommand *s)
 {
     char text[512];
-    if (name_taken(s, 0) == NULL)
+    const char *names[MOST_NAMES];
+    const int count = names_taken(s, names);
+    if (count == 0)
         return;
     puts("\nNames:");
-    for (int i = 0; name_taken(s, i) != NULL; i++) {
-        const struct quantity *q = quantity_find(sheet, name_taken(s, i));
+    for (int i = 0; i < count; i++) {
+        const struct quantity *q = quantity_find(sheet, names[i]);
         item_text(text, q->meaning, q->unit, value_unless_given(q));
         print_item(q->name, text, COLUMN);
     }

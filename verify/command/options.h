@@ -5,6 +5,7 @@
 #define CT_OPTIONS_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 struct arguments;
 
@@ -22,10 +23,11 @@ struct subcommand {
  */
 struct option {
     const char *name, *argument; /* "--digits", "N"; no argument: a flag  */
+    const char *of, *does;       /* of: subcommands, separated by blanks  */
     const char *unit, *otherwise; /* of the argument, and what it is unless given; NULL: none */
-    const char *of, *with;       /* subcommands, separated by blanks      */
+    const char *with;
     bool repeated;               /* may be given several times            */
-    const char *does;
+    uint64_t least, most;        /* of a whole number; most = 0: it is none */
 };
 
 struct example {
