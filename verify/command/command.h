@@ -75,6 +75,10 @@ const struct section *operation_argument(const struct arguments *a);
 /* The section of that id; NULL after a complaint that suggests the nearest. */
 const struct section *section_argument(const struct sheet *sheet, const char *id);
 
+/* All about a subcommand; NULL: about the program. An unknown one is wrong usage, the nearest name suggested. */
+void help_print(const struct sheet *sheet, const struct subcommand *s);
+int unknown_subcommand(const char *name);
+
 /* The whole program, on those sheets: its exit status. */
 int program_run(const struct sources *sources, int count, char **arguments);
 

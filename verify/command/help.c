@@ -1,9 +1,8 @@
-#include "command/help.h"
+/* The tables of options.h as text, of which manual.awk and completion.bash make theirs. */
+#include "command/command_motion.h"
 
 #include <stdio.h>
 #include <string.h>
-
-#include "command/command_motion.h"
 
 enum { WIDTH = 100, INDENT = 4, EXAMPLE = 6, COLUMN = 24 };
 
@@ -58,8 +57,7 @@ static const char about[] =
     "verdicts. It needs no file: the formulas are part of it. Units are SI. A number means the binary64 nearest to it, as a "
     "program in double precision sees it; hexadecimal literals of C99 are numbers too.";
 
-enum { EXIT_STATUSES = 3 };
-static const char *const exit_statuses[EXIT_STATUSES] = {
+static const char *const exit_statuses[] = {
     "Done.",
     ("A check failed, a value lies outside the domain of its equation (not a number, infinite, a negative mass, too large "
      "for binary64), or reading or writing failed. A pipe that is closed ends the program quietly with this status."),
@@ -172,7 +170,7 @@ void help_print(const struct sheet *sheet, const struct subcommand *s)
     }
     puts("coulomb-tether --help | -h | help SUBCOMMAND | SUBCOMMAND --help | --version | -V");
     puts("\nExit status:");
-    for (int i = 0; i < EXIT_STATUSES; i++) {
+    for (int i = EXIT_DONE; i <= EXIT_USAGE; i++) {
         printf("  %d ", i);
         print_wrapped(exit_statuses[i], INDENT);
     }

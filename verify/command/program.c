@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include "command/command.h"
-#include "command/help.h"
 #include "text/flint.h"
 #include "text/whole_file.h"
 
