@@ -177,28 +177,37 @@ static void print_gains(struct study_run *r)
         }
 }
 
-/* At rest on the radius: 3 r^3 over the command 3 + n (r - 1), where that attracts, and the command over r^2 less 3 r. */
+static void print_exact(const fmpq_t x)
+{
+    char *text = decimal_of_rational(x, ROW_DIGITS);
+    printf(",%s", text);
+    free(text);
+}
+
+/* At rest on the radius: 3 r^3 over the command 3 + n (r - 1), where that attracts, and the command over r^2 less 3 r; some are ties. */
 static void print_balance(struct study_run *run)
 {
     enum { FROM = 80, TO = 160 };
     static const slong gains[] = {10, 12, 20, 40};
-    SCOPE(arb, r, command, force, push);
+    SCOPE(fmpq, r, command, force, push);
     for (int i = 0; i < 4; i++)
         for (slong hundredths = FROM; hundredths <= TO; hundredths++) {
-            arb_set_si(r, hundredths);
-            arb_div_si(r, r, 100, STUDY_BITS);
-            arb_sub_si(command, r, 1, STUDY_BITS);
-            arb_mul_si(command, command, gains[i], STUDY_BITS);
-            arb_add_si(command, command, 3, STUDY_BITS);
-            arb_sqr(force, r, STUDY_BITS);
-            arb_div(push, command, force, STUDY_BITS);
-            arb_submul_si(push, r, 3, STUDY_BITS);
-            arb_mul(force, force, r, STUDY_BITS);
-            arb_mul_si(force, force, 3, STUDY_BITS);
-            arb_div(force, force, command, STUDY_BITS);
+            fmpq_set_si(r, hundredths, 100);
+            fmpq_sub_si(command, r, 1);
+            fmpq_mul_si(command, command, gains[i]);
+            fmpq_add_si(command, command, 3);
+            fmpq_pow_si(force, r, 3);
+            fmpq_mul_si(force, force, 3);
+            fmpq_sub(push, command, force);
+            fmpq_div(push, push, r);
+            fmpq_div(push, push, r);
             printf("%ld,%ld.%02ld", (long)gains[i], (long)(hundredths / 100), (long)(hundredths % 100));
-            print_field(run, arb_is_positive(command) ? force : NULL, ROW_DIGITS);
-            print_field(run, push, ROW_DIGITS);
+            if (fmpq_sgn(command) > 0) {
+                fmpq_div(force, force, command);
+                print_exact(force);
+            } else
+                print_field(run, NULL, ROW_DIGITS);
+            print_exact(push);
             putchar('\n');
         }
 }
