@@ -231,7 +231,7 @@ suites: $(RUN) $(ALONE) $(FAULTY) $(FAULTS)
 
 ## gate: whether each equation has its function, test, error, proof, vectors, verdict and place, after make check
 gate:
-	@BUILD='$(BUILD)' DATA='$(DATA)' tests/project/gate.sh
+	@BUILD='$(BUILD)' DATA='$(DATA)' $(PYTHON) tests/project/gate.py
 
 ## extend: one equation more, as README tells it, in a copy of the project: whether that is all it takes
 extend: all suites
@@ -442,10 +442,10 @@ $(PLOTS:%=$(SITE)/plot-%.svg): $(SITE)/plot-%.svg: paper/figures/plot-%.gp paper
 	@rm $@.gp.tmp $@.drawn.tmp
 
 # What the gate finds in the tests' logs, for the index: they have to have run.
-$(BUILD)/gate.csv: tests/project/gate.awk paper/read.awk $(CHAPTERS) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \
+$(BUILD)/gate.csv: tests/project/gate.py $(CHAPTERS) $(wildcard ref/*.c) $(EVIDENCE) $(VERDICTS) $(GOLDEN) \
   $(filter check,$(MAKECMDGOALS)) | $(EDITION)/tools.found
 	@ls $(BUILD)/tests/*.tap >/dev/null 2>&1 || $(MAKE) check
-	@BUILD='$(BUILD)' DATA='$(DATA)' tests/project/gate.sh >$(BUILD)/gate.log || { cat $(BUILD)/gate.log; exit 1; }
+	@BUILD='$(BUILD)' DATA='$(DATA)' $(PYTHON) tests/project/gate.py >$(BUILD)/gate.log || { cat $(BUILD)/gate.log; exit 1; }
 
 ### Packages
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libflint-dev libflint-arb-dev? libcalcium-dev? libantic-dev? libyaml-dev python3

@@ -93,7 +93,7 @@ xargs -0 -n 1 -P "$(getconf _NPROCESSORS_ONLN)" "$0" --one <"$chosen"
 # The gate reads what the suites have left behind, and the committed data; each equation counts as a check.
 if [ -z "${ONLY-}" ]; then
     sound=true
-    DATA=data tests/project/gate.sh >"$records/gate.log" 2>&1 || sound=false
+    DATA=data "$PYTHON" tests/project/gate.py >"$records/gate.log" 2>&1 || sound=false
     if $sound && [ -z "${V-}" ]; then tail -n 1 "$records/gate.log"; else cat "$records/gate.log"; fi
     sed -n 's/^gate: \([0-9]*\) of \([0-9]*\) equations .*/\1 \2/p' "$records/gate.log" | {
         read -r good all || { good=0 all=1; }

@@ -11,14 +11,14 @@ fresh() {
     mkdir -p "$work/copy/data" "$work/copy/build/tests" "$work/copy/tests/project" || exit 1
     cd "$work/copy" || exit 1
     cp -RL "$project/Makefile" "$project/ref" "$project/paper" .
-    cp "$project/tests/project/gate.sh" "$project/tests/project/gate.awk" tests/project/
+    cp "$project/tests/project/gate.py" tests/project/
     cp -RL "$project/data/golden" "$project/data/verdicts.csv" data/
     cp "$work/derivations.json" "$work/errors.json" "$work/equations.json" build/
     cp "$work/all.tap" build/tests/
     chmod -R u+w . # whatever the project's own files allow
 }
 
-gate() { BUILD=build DATA=data tests/project/gate.sh >"$work/table" 2>&1; }
+gate() { BUILD=build DATA=data "$PYTHON" tests/project/gate.py >"$work/table" 2>&1; }
 
 # MESSAGE COMMAND: after the command, in a fresh copy, the gate fails and says so.
 fails_and_says() {
