@@ -3,9 +3,9 @@ the sheet, the meanings of a design, and the files:
     coulomb-tether design n=12 --json | package.py VERSION paper/package.json build/equations.json FILE..."""
 import hashlib
 import json
-import os
 import re
 import sys
+from pathlib import Path
 
 version, words, sheet, *paths = sys.argv[1:]
 words, sheet, design = json.load(open(words)), json.load(open(sheet)), json.load(sys.stdin)
@@ -27,15 +27,16 @@ def field(name):
 
 
 def resource(path):
-    content = open(path, "rb").read() if os.path.exists(path) else b""
+    content = Path(path).read_bytes() if Path(path).exists() else b""
     within = re.search(r"(golden/)?[^/]*$", path)[0]
     name = within.split(".")[0].replace("/", "-")
     if not content or name not in titles:
         sys.exit(f"package: {path}: " + ("has no title in paper/package.json" if content else "expected a header line"))
+    checksum = "sha256:" + hashlib.sha256(content).hexdigest()
     described = [
         {"name": name, "path": within, "profile": "tabular-data-resource"},
         {"title": titles[name]},
-        {"format": "csv", "mediatype": "text/csv", "encoding": "utf-8", "bytes": len(content), "hash": "sha256:" + hashlib.sha256(content).hexdigest()},
+        {"format": "csv", "mediatype": "text/csv", "encoding": "utf-8", "bytes": len(content), "hash": checksum},
     ]
     lines = ",\n   ".join(json.dumps(part)[1:-1] for part in described)
     fields = ",\n".join(map(field, content.decode().split("\n", 1)[0].split(",")))

@@ -19,15 +19,15 @@ Within a line, the first two between dollars:
     [(7)](#eq:7), [section](#ID), [Figure](#fig:NAME), [](#ref:NAME)            have to lead somewhere"""
 import collections
 import csv
-import glob
 import itertools
 import json
 import os
 import re
 import subprocess
 import sys
+from pathlib import Path
 
-PROGRAM, DATA, BUILD, web = os.environ["CT_PROGRAM"], os.environ["CT_DATA"], os.environ["CT_BUILD"], os.environ.get("CT_PAGE")
+PROGRAM, DATA, BUILD, web = os.environ["CT_PROGRAM"], Path(os.environ["CT_DATA"]), Path(os.environ["CT_BUILD"]), os.environ.get("CT_PAGE")
 
 
 class Stop(Exception):
@@ -45,14 +45,9 @@ def the(kind, table, name):
 # ---- reading ----
 
 
-def read(path):
-    with open(path, encoding="utf-8") as file:
-        return file.read()
-
-
 def made(name):
-    path = f"{BUILD}/{name}"
-    return read(path) if os.path.exists(path) else sys.exit(f"no {path}: run make check")
+    path = BUILD / name
+    return path.read_text() if path.exists() else sys.exit(f"no {path}: run make check")
 
 
 def output_of(arguments):
@@ -82,20 +77,23 @@ def span_of(names):
     return "–".join([names[0], names[-1]]) if len(names) > 2 else ", ".join(names)
 
 
+QUALIFIER = {"lin": "small angles", "inv": "inverse", "exact": "exact", "roots": "roots", "flow": "flow", "rk4": "Runge-Kutta"}
 # Of the sections that have a number one is named for it alone; (6) stands where (6a) does.
 symbol = {name: "\\" + name for name in "pi lambda mu phi kappa epsilon rho omega cos sin tan".split()}
 labels, section_of = {}, {}  # what is referred to: its number, its page
 for s in sections.values():
     symbol.update((quantity["name"], quantity["tex"]) for quantity in s["inputs"] + s["outputs"])
-    numbers = s["equations"] if re.fullmatch(r"eq\d+", s["id"]) else []
+    numbers = s["equations"] if s["id"][2:].isdigit() else []
     s["names"] = [name for number in numbers for name in [number, *re.findall(r"^(\d+)a$", number)]]
     labels.update(("eq:" + name, ("", "equations.html")) for name in s["names"])
+    s["which"] = QUALIFIER.get(re.sub(r"^eq\d+|_.*", "", s["id"]), "")
     section_of.update((name, s["id"]) for name in s["names"])
+    s["targets"] = "".join([rf"\place{{{s['id']}}}", *(rf"\target{{{name}}}" for name in s["names"])])  # for the index, and for references
 
 # Chapters, figures of ours and references are numbered as they come; those without a number are the last chapters.
 pages, page_of_step, letters, cited = [], {}, iter("ABCDEFGHIJKLMNOPQRSTUVWXYZ"), itertools.count(1)
-for path in sorted(glob.glob("paper/[0-9]*.md")):
-    page, text = os.path.basename(path).replace(".md", ".html"), read(path)
+for path in sorted(Path("paper").glob("[0-9]*.md")):
+    page, text = path.stem + ".html", path.read_text()
     title, name, unnumbered = re.search(r"^# (.*?) {#(\S+)( ?.*)}", text).groups()
     pages.append({"file": page, "title": title, "number": "" if unnumbered else str(len(pages) + 1)})
     labels[name] = pages[-1]["number"], page
@@ -110,10 +108,6 @@ def link(text, name):
     number, page = the("reference", labels, name)
     text += ("\u00a0" if text and number else "") + number
     return f"[{text}]({page}#{name})" if web else rf"\hyperref[{name}]{{{text}}}"
-
-
-def equation_link(number):
-    return link(f"({number})", "eq:" + number)
 
 
 # ---- Markdown ----
@@ -141,7 +135,6 @@ def decimal(value, form):
 SIGNS = {"<=": "le", ">=": "ge", "<<": "ll", "->": "to", "+-": "pm", "-+": "mp", "*": "cdot"}
 MARKS = {
     r"\$[^$]*\$": lambda text: formula(text[1:-1]),
-    r"uC": lambda text: "µC",
     r"-?\d+(?:\.\d+)?e[+-]?\d+": lambda text: formula(scientific(text)),
     r"\^-?\d+": lambda text: f"$^{{{text[1:]}}}$",
     r"\d[A-Za-z]|a(?= [A-Za-z])": str,
@@ -154,7 +147,7 @@ MARKED = re.compile("|".join(f"({pattern})" for pattern in MARKS), re.ASCII)
 
 
 def plain(name):
-    return name.replace("_", r"\_")
+    return name.replace("_", r"\_").replace("uC", "µC")
 
 
 def symbolic(name):
@@ -165,13 +158,9 @@ def symbolic(name):
     return formula(letter[1] + (rf"_{{\mathrm{{{letter[2] or letter[3]}}}}}" if name[1:] else "")) if letter else plain(name)
 
 
-def prose(text, named=symbolic):
+def typeset(text, named=plain):
     makers = [make or named for make in MARKS.values()]
     return MARKED.sub(lambda mark: makers[mark.lastindex - 1](mark[0]), text).replace("$$", " ")
-
-
-def typeset(text):
-    return prose(text, plain)
 
 
 def raw(text, form="latex"):
@@ -197,13 +186,7 @@ def details(summary, text):
 
 # ---- equations ----
 
-QUALIFIER = {"lin": "small angles", "inv": "inverse", "exact": "exact", "roots": "roots", "flow": "flow", "rk4": "Runge-Kutta"}
-FORMULAS = ["relation", "output", "let", "domain"]
 ASIDE = {"let": r"\text{with}\quad ", "domain": r"\text{for}\quad "}
-
-
-def qualified(name):
-    return QUALIFIER.get(re.sub(r"^eq\d+|_.*", "", name), "")
 
 
 def group(kind, texts):
@@ -218,7 +201,7 @@ def group(kind, texts):
     return ASIDE.get(kind, "") + "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}"
 
 
-def display(s, kinds, named="", suffix="", place=""):
+def display(s, named, suffix, place="", kinds=("relation", "output", "let", "domain")):
     """A display of a section's rows of these kinds, of several formulas those named. Each line has its number, but for what stands
     aside. Lines that stand alone are aligned at their signs; groups have their own alignment and are centred."""
     defined = {row["defines"]: row for row in s["display"]}
@@ -241,11 +224,6 @@ def display(s, kinds, named="", suffix="", place=""):
     return "".join(out) if web else raw(f"\\joined{place}%\n\\begin{{{kind}}}\n" + " \\\\\n".join(out) + f"\n\\end{{{kind}}}")
 
 
-def targets(s):
-    """Where a section stands for the index, and its numbers for references."""
-    return "".join(([] if web else [rf"\place{{{s['id']}}}"]) + [f'<a id="eq:{n}"></a>' if web else rf"\target{{{n}}}" for n in s["names"]])
-
-
 LONGEST_KEPT = 26  # code of more lines would leave much of a page empty, and may be torn on paper
 
 
@@ -259,8 +237,8 @@ def code(text, path=""):
 
 def helper(name):
     """A function of ref/ by its name, as it stands there."""
-    for path in glob.glob("ref/*.c"):
-        if found := re.search(rf"(?ms)^[A-Za-z][^\n;{{}}]*\b{re.escape(name)}\([^;{{}}]*\)\n{{\n.*?\n}}\n", read(path)):
+    for path in Path("ref").glob("*.c"):
+        if found := re.search(rf"(?ms)^[A-Za-z][^\n;{{}}]*\b{re.escape(name)}\([^;{{}}]*\)\n{{\n.*?\n}}\n", path.read_text()):
             return code(found[0], path)
     return stop(f"unknown function '{name}'")
 
@@ -275,17 +253,14 @@ def references(entries):
         base, _, name = entry.partition(".")
         number = re.match(r"\d+", sections[base]["equations"][0])[0] if base in sections else entry if entry in section_of else None
         formula_there = "\u00a0" + formula(symbol.get(name) or re.sub("_(.*)", r"_{\1}", name)) if name else ""
-        out.append(equation_link(number) + formula_there if number else plain(entry))
+        out.append(link(f"({number})", f"eq:{number}") + formula_there if number else plain(entry))
     return ", ".join(dict.fromkeys(out))
 
 
-def algebra(lines):
-    """Each line equalities one after the other, and how one comes to them."""
-    out = []
-    for line in lines:
-        how, chain, rows = prose(line["how"]), " = ".join(line["tex"]), line["tex"][0] + " &= " + r" \\ &= ".join(line["tex"][1:])
-        out.append(f"{how}: {formula(chain)}" if web else raw_inline(r"\derive{") + how + raw_inline(f"}}{{{chain}}}{{{rows}}}"))
-    return "\n\n".join(["", *out, ""])
+def algebra(line):
+    """Equalities one after the other, and how one comes to them."""
+    how, chain, rows = typeset(line["how"], symbolic), " = ".join(line["tex"]), line["tex"][0] + " &= " + r" \\ &= ".join(line["tex"][1:])
+    return (f"{how}: {formula(chain)}" if web else raw_inline(r"\derive{") + how + raw_inline(f"}}{{{chain}}}{{{rows}}}")) + "\n\n"
 
 
 def name_of(v):
@@ -296,17 +271,16 @@ def verdict_box(v, name=None):
     """On paper the evidence follows at once; on the web a reader opens it, and the reason stands before it."""
     proof = typeset(v["evidence_tex"]) + "."
     text = f"**{v['verdict']}:** {typeset(v['claim_tex'])} ({typeset(v['where'])}) {name_of(v)}\n\n"
-    text += typeset(v.get("why_tex", "")) + details(f"evidence, {v['how']}", proof) if web else box("evidence", f"*Evidence ({v['how']}):* {proof}")
-    return box("verdict ." + v["verdict"].split()[0], text, name)
+    why = typeset(v.get("why_tex", "")) + details(f"evidence, {v['how']}", proof)
+    return box("verdict ." + v["verdict"].split()[0], text + (why if web else box("evidence", f"*Evidence ({v['how']}):* {proof}")), name)
 
 
 # ---- directives ----
 
 
 def number(file, key, column, form):
-    text = next((read(path) for path in (f"{DATA}/{file}", f"{BUILD}/{file}") if os.path.exists(path)), None)
-    rows = csv.DictReader((text or stop(f"no file '{file}'")).splitlines())
-    found = [row for row in rows if (",".join(row.values()) + ",").startswith(key + ",")]
+    path = next((folder / file for folder in (DATA, BUILD) if (folder / file).exists()), None) or stop(f"no file '{file}'")
+    found = [row for row in csv.DictReader(path.read_text().splitlines()) if (",".join(row.values()) + ",").startswith(key + ",")]
     if len(found) != 1:
         stop(f"'{file}' has {len(found)} rows '{key}'")
     text = the(f"column of '{file}'", found[0], column)
@@ -333,18 +307,18 @@ def count(what):
 
 def equation(name, named=""):
     s = the("equation", sections, name)
-    return display(s, FORMULAS, named, qualified(name), targets(s)) if s["display"] else stop(f"'{name}' has no formula in the sheet")
+    return display(s, named, s["which"], s["targets"]) if s["display"] else stop(f"'{name}' has no formula in the sheet")
 
 
 def printed(name, named=""):
     s = the("equation", sections, name)
     reason = s.get("reason") or stop(f"'{name}' is printed as the sheet has it")
-    return "\n\n**As printed.** " + prose(reason) + display(s, ["printed"], named, "as printed")
+    return "\n\n**As printed.** " + typeset(reason, symbolic) + display(s, named, "as printed", kinds=["printed"])
 
 
 def function(name):
     s = the("equation", sections, name)
-    return ("" if s["display"] else raw(targets(s))) + helper(gate[name]["function"])
+    return ("" if s["display"] else raw(s["targets"])) + helper(gate[name]["function"])
 
 
 def step(name):
@@ -353,13 +327,13 @@ def step(name):
         stop(f"step '{name}' does not hold: {s['step']['evidence']}")
     leads = references(s["from"]) + (r" $\;\rightarrow\;$ " + references(s["to"]) if s["to"] else "")
     how = f"to order {s['order']}" if "order" in s else "exactly"
-    text = rf"$\vdash$ `{name}`: {prose(s['title'])}. {leads}. *Proved {how}, for {prose(s['domain'])}.*"
-    text += details("the algebra, line by line", algebra(s["lines"]))
+    text = rf"$\vdash$ `{name}`: {typeset(s['title'], symbolic)}. {leads}. *Proved {how}, for {typeset(s['domain'], symbolic)}.*"
+    text += details("the algebra, line by line", "".join(map(algebra, s["lines"])))
     if "printed" in s:
-        text += f"\n\nAs printed the sides differ: {prose(s['printed']['evidence'].split('; ', 1)[1])}."
+        text += f"\n\nAs printed the sides differ: {typeset(s['printed']['evidence'].split('; ', 1)[1], symbolic)}."
     if "dropped" in s:
         bounds = re.sub(r"(\w+) -(\S+) \.\.\. \2", r"|\1| <= \2", s["dropped"])  # its units are letters, too
-        text += f"\n\nCertified: {prose(bounds, lambda name: symbolic(name) if len(name) > 1 and name in symbol else plain(name))}."
+        text += f"\n\nCertified: {typeset(bounds, lambda name: symbolic(name) if len(name) > 1 and name in symbol else plain(name))}."
     return box("step", text, f"step-{name}")
 
 
@@ -385,10 +359,11 @@ def findings(kind):
 
 def symbols():
     """The heads of this table and the next stand in their chapters. In the sheet: "  NAME ...: {unit: U, ..., meaning: M}"."""
-    rows, sheet = "", re.search(r"\nquantities:\n(.*?)\n[a-z]", read("paper/equations.yaml"), re.DOTALL)[1]
+    rows, sheet = "", re.search(r"\nquantities:\n(.*?)\n[a-z]", Path("paper/equations.yaml").read_text(), re.DOTALL)[1]
     for names, unit, meaning in re.findall(r'  ([^:\n]+): {unit: "?([^,"]*).*meaning: "?(.*?)"?}', sheet):
-        tex = [symbol.get(name) or r"\dot " + symbol[name.replace("_dot", "", 1)] for name in re.findall(r"\w+", names)]  # a rate may be computed nowhere
-        rows += f"| {', '.join(map(formula, tex))} | {typeset(unit.strip('-'))} | {prose(meaning)} |\n"
+        # A rate may be computed nowhere.
+        tex = [symbol.get(name) or r"\dot " + symbol[name.replace("_dot", "", 1)] for name in re.findall(r"\w+", names)]
+        rows += f"| {', '.join(map(formula, tex))} | {typeset(unit.strip('-'))} | {typeset(meaning, symbolic)} |\n"
     return rows[:-1]
 
 
@@ -397,12 +372,13 @@ def error_of(g):
 
 
 def index():
-    rows = []
+    rows = ""
     for name, g in gate.items():
         place = f"[¶](equations.html#{name})" if web else raw_inline(rf"\pageref{{place:{name}}}")
-        numbers = span_of([equation_link(number) for number in sections[name]["equations"]])
-        rows.append(f"| {numbers} {qualified(name)} | {place} | `{g['function']}` | {g['tests']} | {error_of(g)} | {g['vectors']} | {g['verdict']} |")
-    return "\n".join(rows)
+        numbers = span_of([link(f"({number})", f"eq:{number}") for number in sections[name]["equations"]])
+        cells = [f"{numbers} {sections[name]['which']}", place, f"`{g['function']}`", g["tests"], error_of(g), g["vectors"], g["verdict"]]
+        rows += f"| {' | '.join(cells)} |\n"
+    return rows[:-1]
 
 
 def places():
@@ -411,9 +387,10 @@ def places():
 
 def place_of(s):
     """An equation with all that belongs to it."""
-    name, g, q = s["id"], gate[s["id"]], qualified(s["id"])
-    out = f"\n\n## [¶](#{name}){{.permalink}} ({span_of(s['equations'])}) {prose(s['title'])}{q and ', ' + q} {{#{name}}}\n\n"
-    out += raw(targets(s), "html") + display(s, FORMULAS, "", q) + prose(s.get("note", "")) + (printed(name) if "reason" in s else "")
+    name, g, q = s["id"], gate[s["id"]], s["which"]
+    out = f"\n\n## [¶](#{name}){{.permalink}} ({span_of(s['equations'])}) {typeset(s['title'], symbolic)}{q and ', ' + q} {{#{name}}}\n\n"
+    out += raw("".join(f'<a id="eq:{number}"></a>' for number in s["names"]), "html")
+    out += display(s, "", q) + typeset(s.get("note", ""), symbolic) + (printed(name) if "reason" in s else "")
     said = [claims["equation-" + number] for number in s["names"] if "equation-" + number in claims]
     for _, same in itertools.groupby(said, lambda v: (v["claim"], v["evidence"])):  # once where (2a), (2b) and (2c) have the same
         out += verdict_box(next(same))
@@ -461,7 +438,7 @@ def graph_of(chapter):
 
 
 def figure(caption, kind, name):
-    if not os.path.exists(the("picture", {"plot": f"paper/figures/plot-{name}.gp", "graph": f"paper/{name}.md"}, kind)):
+    if not Path(the("picture", {"plot": f"paper/figures/plot-{name}.gp", "graph": f"paper/{name}.md"}, kind)).exists():
         stop(f"unknown picture '{kind}:{name}'")
     if not caption:
         stop(f"'{kind}:{name}' has no caption")
@@ -481,7 +458,8 @@ def figure(caption, kind, name):
 # ---- the document ----
 
 WITHIN = {make.__name__: make for make in (number, value, quote, count)}
-BY_ITSELF = {make.__name__: make for make in (equation, printed, function, helper, step, verdict, findings, run, symbols, index, places, verdicts)}
+BY_ITSELF = {make.__name__: make for make in (
+    equation, printed, function, helper, step, verdict, findings, run, symbols, index, places, verdicts)}
 
 
 def put(kind, directives, name, rest):
@@ -494,7 +472,7 @@ def put(kind, directives, name, rest):
 
 def woven(line):
     if rows := re.match(r"<<rows ([^>]*)>> *(.*)$", line):
-        return "\n".join(woven(re.sub(r"@(\d?)", lambda at: key.split(",")[int(at[1]) - 1] if at[1] else key, rows[2])) for key in rows[1].split())
+        return "\n".join(woven(re.sub(r"@(\d?)", lambda at: [key, *key.split(",")][int(at[1] or 0)], rows[2])) for key in rows[1].split())
     whole = re.fullmatch(r"<<([a-z]*) *(.*)>>", line)
     if whole and whole[1] not in WITHIN:
         return put("directive", BY_ITSELF, *whole.groups())
@@ -517,17 +495,15 @@ def woven(line):
     return figure(*picture.groups()) if picture else line
 
 
-out, failed = [], False
+out, problems = [], []
 for path in sys.argv[1:]:
-    for at, line in enumerate(read(path).split("\n"), 1):
+    for at, line in enumerate(Path(path).read_text().split("\n"), 1):
         try:
             out.append(woven(line))
-        except Stop as told:
-            failed = True
-            print(f"{path}:{at}: {told}", file=sys.stderr)
-    out.append("")
-if failed:
-    sys.exit(1)
+        except Stop as problem:
+            problems.append(f"{path}:{at}: {problem}")
+if problems:
+    sys.exit("\n".join(problems))
 text, meta = "\n".join(out), {"title": "The Coulomb tether, checked by machine", "pages": pages}
 if web:
     # In MathML upright letters are text, or each would be one of its own; and a product has its space anyway.

@@ -12,7 +12,8 @@ import re
 import sys
 
 build, data = os.environ["BUILD"], os.environ.get("DATA", "data")
-QUALIFIER = {"": "", "lin": ", small angles", "inv": ", inverse", "exact": ", exact", "roots": ", roots", "flow": ", flow", "rk4": ", Runge-Kutta"}
+QUALIFIER = {"": "", "lin": ", small angles", "inv": ", inverse", "exact": ", exact", "roots": ", roots",
+             "flow": ", flow", "rk4": ", Runge-Kutta"}
 problems = []
 
 
@@ -121,7 +122,8 @@ places, listed = {}, set()
 for path, at, line in lines_of("paper/[0-9]*.md"):
     if found := re.match(r"<<(equation|printed|function) (\w+)", line):
         kind, name = found.groups()
-        if known("edition", f"{path}:{at} names {name}", name in sections) and (kind == "equation" or kind == "function" and sections[name]["algorithm"]):
+        is_place = known("edition", f"{path}:{at} names {name}", name in sections) and (kind == "equation" or sections[name]["algorithm"])
+        if is_place and kind != "printed":
             places.setdefault(name, f"{path}:{at}")
         if kind == "function":
             listed.add(name)
