@@ -226,10 +226,9 @@ static enum truth rank_found(const struct assertion *a, const struct bindings *b
 {
     const struct linear_system *l = &a->system;
     enum truth truth = UNDECIDED;
-    fmpq_mat_t A, K, v;
-    fmpq_mat_init(A, l->size, l->size);
-    fmpq_mat_init(K, l->size, l->size);
-    fmpq_mat_init(v, l->size, 1);
+    MATRIX(fmpq, A, l->size, l->size);
+    MATRIX(fmpq, K, l->size, l->size);
+    MATRIX(fmpq, v, l->size, 1);
     if (system_matrix(A, v, l, b)) {
         if (l->observe >= 0) {
             fmpq_mat_transpose(A, A);
@@ -245,9 +244,6 @@ static enum truth rank_found(const struct assertion *a, const struct bindings *b
             }
         truth = fmpq_mat_rref(K, K) == a->count ? FOUND_TRUE : FOUND_FALSE; /* the rank */
     }
-    fmpq_mat_clear(A);
-    fmpq_mat_clear(K);
-    fmpq_mat_clear(v);
     return truth;
 }
 

@@ -22,6 +22,11 @@ static enum symbolic_fault fault_of(const struct symbolic *x)
     return x->angle ? SYMBOLIC_ANGLE_AS_NUMBER : x->fault;
 }
 
+static const struct variable *variable_of(const struct run *r, slong k)
+{
+    return &r->t->variables[r->input[k]];
+}
+
 /* ---- signs at epsilon = 0 ---- */
 
 static int signs_of_number(int number)
@@ -46,26 +51,21 @@ static int signs_power(int a, slong exponent)
     return exponent == 0 ? SIGN_POSITIVE : exponent % 2 ? a : square;
 }
 
-/* Of a polynomial: the signs of its terms. What stands for a function has any; at a point nothing else does. */
+/* Of a polynomial: the signs of its terms. What stands for an angle or a function has any; at a point nothing else does. */
 static int signs_of_polynomial(const struct run *r, const fmpz_mpoly_t f)
 {
     const fmpz_mpoly_ctx_struct *ctx = symbolic_context();
-    const slong all = fmpz_mpoly_ctx_nvars(ctx);
-    int *signs = xrealloc(NULL, (size_t)all, sizeof *signs), sum = SIGN_ZERO;
+    int sum = SIGN_ZERO;
     SCOPE(fmpz, c);
-    for (slong k = 0; k < all; k++)
-        signs[k] = SIGN_ANY;
-    for (int k = 0; k < r->t->program.inputs && !r->at_point; k++)
-        if (r->variable[k] >= 0 && !r->t->variables[k].angle)
-            signs[r->variable[k]] = r->t->variables[k].signs;
     for (slong i = 0; i < fmpz_mpoly_length(f, ctx); i++) {
         fmpz_mpoly_get_term_coeff_fmpz(c, f, i, ctx);
         int term = signs_of_number(fmpz_sgn(c));
-        for (slong k = 0; k < all; k++)
-            term = combine(term, signs_power(signs[k], fmpz_mpoly_get_term_var_exp_si(f, i, k, ctx)), false);
+        for (slong k = 0; k < fmpz_mpoly_ctx_nvars(ctx); k++) {
+            const bool number = k < r->variables && !r->at_point && !variable_of(r, k)->angle;
+            term = combine(term, signs_power(number ? variable_of(r, k)->signs : SIGN_ANY, fmpz_mpoly_get_term_var_exp_si(f, i, k, ctx)), false);
+        }
         sum = combine(sum, term, true);
     }
-    free(signs);
     return sum;
 }
 
@@ -103,8 +103,10 @@ static void set_input(struct run *r, struct symbolic *z, int i)
 {
     const struct node *n = &r->t->program.nodes[i];
     const bool own = i < r->t->program.inputs;
-    const slong variable = own ? r->variable[i] : r->variables + n->exponent;
+    slong variable = own ? 0 : r->variables + n->exponent;
     SCOPE(fmpq, prime);
+    while (own && r->input[variable] != i)
+        variable++;
     const fmpq *point = r->at_point ? prime : NULL;
     fmpq_set_ui(prime, n_nth_prime((ulong)(variable < r->variables ? r->variables - variable : variable + 1) + 2), 1);
     if (own && r->t->variables[i].quarter_turn)
@@ -161,10 +163,10 @@ void run_begin(struct run *r, const struct identities *t, slong terms, enum mann
 {
     slong functions = 0;
     *r = (struct run){.t = t, .terms = terms, .at_point = manner == RUN_AT_POINT};
-    r->variable = xrealloc(NULL, (size_t)t->program.inputs + 1, sizeof *r->variable);
+    r->input = xrealloc(NULL, (size_t)t->program.inputs + 1, sizeof *r->input);
     for (int i = 0; i < t->program.count; i++) {
-        if (i < t->program.inputs)
-            r->variable[i] = manner != RUN_STRICT || t->needed[i] ? r->variables++ : -1;
+        if (i < t->program.inputs && (manner != RUN_STRICT || t->needed[i]))
+            r->input[r->variables++] = i;
         functions += t->program.nodes[i].op >= OPERATOR_SQRT;
     }
     const slong room = manner == RUN_STRICT ? 0 : 2 * functions; /* those that are altered are functions again */
@@ -177,7 +179,7 @@ void run_end(struct run *r)
     forget_nodes(r);
     symbolic_end();
     free(r->nodes);
-    free(r->variable);
+    free(r->input);
 }
 
 /* ---- comparing ---- */
@@ -233,11 +235,8 @@ static void print_polynomial(struct tex *out, const struct run *r, const fmpz_mp
     const char **texts = xrealloc(NULL, (size_t)r->variables + 1, sizeof *texts);
     fmpz_mpoly_struct head = *f; /* borrows it */
     texts[r->variables] = "none"; /* the field has one more */
-    for (int i = 0; i < r->t->program.inputs; i++) {
-        const slong k = r->variable[i];
-        if (k < 0)
-            continue;
-        snprintf(names[k], sizeof *names, "%s%s", r->t->variables[i].angle ? "t_" : "", r->t->program.names[i].text);
+    for (slong k = 0; k < r->variables; k++) {
+        snprintf(names[k], sizeof *names, "%s%s", variable_of(r, k)->angle ? "t_" : "", r->t->program.names[r->input[k]].text);
         texts[k] = names[k];
     }
     head.length = FLINT_MIN(head.length, SHOWN_TERMS);
@@ -280,20 +279,18 @@ static void print_example(struct tex *out, const struct run *r, const fmpz_mpoly
     for (slong k = 0; k < all; k++)
         at[k] = values + k;
     for (slong example = 0; example < EXAMPLES && !found; example++) {
-        for (int i = 0; i < r->t->program.inputs; i++)
-            if (r->variable[i] >= 0)
-                fmpz_set_si(values + r->variable[i], 1 + r->t->variables[i].angle + example * (2 * r->variable[i] + 1) % 5);
+        for (slong k = 0; k < r->variables; k++)
+            fmpz_set_si(values + k, 1 + variable_of(r, k)->angle + example * (2 * k + 1) % 5);
         found = quotient_at(left, x, at) && quotient_at(right, y, at) && !fmpq_equal(left, right);
     }
     if (found) {
         print_rational(out, "; ", left);
         print_rational(out, " is not ", right);
-        for (int i = 0; i < r->t->program.inputs; i++) {
-            const struct variable *v = &r->t->variables[i];
-            const slong k = r->variable[i];
-            if (k < 0 || !(used[k] || used[all + k]))
+        for (slong k = 0; k < r->variables; k++) {
+            const struct variable *v = variable_of(r, k);
+            if (!(used[k] || used[all + k]))
                 continue;
-            tex_add(out, v->angle ? "%stan(%s/2) = %ld%s" : "%s%s = %ld%s", separator, r->t->program.names[i].text,
+            tex_add(out, v->angle ? "%stan(%s/2) = %ld%s" : "%s%s = %ld%s", separator, r->t->program.names[r->input[k]].text,
                     (long)fmpz_get_si(at[k]), v->power > 0 ? " epsilon" : "");
             separator = ", ";
         }

@@ -145,7 +145,7 @@ struct run {
     const struct identities *t;
     struct known *nodes;
     int count;         /* of nodes                                    */
-    slong *variable;   /* of an input; -1 where nothing rests on it   */
+    int *input;        /* that a variable is                          */
     slong variables, terms;
     bool at_point;     /* every variable is a prime, where nothing happens to vanish */
 };

@@ -151,13 +151,10 @@ bool roots41_gains(acb_ptr roots, const arb_t c1, const arb_t c2, slong prec)
 static bool may_be_equal(const fmpq_poly_t p, const fmpq_t c1, const fmpq_t c2)
 {
     SCOPE(fmpq, q);
-    SCOPE(fmpq_poly, common);
     fmpq_sub_si(q, c1, 8);
     fmpq_mul_si(q, q, -4);
     fmpq_addmul(q, c2, c2);
-    fmpq_poly_derivative(common, p);
-    fmpq_poly_gcd(common, common, p);
-    return fmpq_is_zero(c2) || fmpq_is_zero(q) || fmpz_is_zero(fmpq_poly_numref(p)) || fmpq_poly_degree(common) > 0;
+    return fmpq_is_zero(c2) || fmpq_is_zero(q) || fmpz_is_zero(fmpq_poly_numref(p)) || !fmpq_poly_is_squarefree(p);
 }
 
 /* The roots as algebraic numbers, sorted. */
