@@ -149,30 +149,41 @@ struct table {
     const struct derivations *d;
     const struct step *s;
     struct binding *b;
+    bool *uses;             /* of the formulas that it takes: to be altered               */
     bool alone[MOST_SHOWN]; /* this equality alone breaks by something: the step needs it */
 };
 
-/* Whether an equality breaks by what becomes of an entry or, where that is NULL, of a part; of one alone the step has need. */
-static bool breaks_by(struct table *table, enum change change, int node, const char *entry, const struct entry_part *part)
+/* Whether an equality breaks; where it is the only one, the step needs it. */
+static bool breaks_by(struct table *table, enum change change, int node)
 {
-    const struct identities *t = &table->s->corrected;
-    bool *uses = xrealloc(NULL, (size_t)t->use_count + 1, sizeof *uses);
     int broken = 0, last = -1;
     struct altered x;
-    for (int i = 0; i < t->use_count; i++)
-        uses[i] = entry != NULL ? entry_concerns(table->d, entry, &t->uses[i])
-                                : t->uses[i].formulas == part->formulas && (change >= CHANGE_SIGN || t->uses[i].part == part->node);
-    altered_open(&x, t, &(struct alteration){change, node, uses, false});
+    altered_open(&x, &table->s->corrected, &(struct alteration){change, node, table->uses, false});
     for (int i = 0; i < x.t.shown_count && broken < 2; i++)
         if (!equal_still(&x, i)) {
             broken++;
             last = i;
         }
     altered_close(&x);
-    free(uses);
     if (broken == 1)
         table->alone[last] = true;
     return broken > 0;
+}
+
+static bool breaks_by_part(struct table *table, const struct entry_part *part, enum change change, int node)
+{
+    const struct identities *t = &table->s->corrected;
+    for (int i = 0; i < t->use_count; i++)
+        table->uses[i] = t->uses[i].formulas == part->formulas && (change >= CHANGE_SIGN || t->uses[i].part == part->node);
+    return breaks_by(table, change, node);
+}
+
+static bool breaks_by_entry(struct table *table, const char *entry)
+{
+    const struct identities *t = &table->s->corrected;
+    for (int i = 0; i < t->use_count; i++)
+        table->uses[i] = entry_concerns(table->d, entry, &t->uses[i]);
+    return breaks_by(table, CHANGE_ANY, -1);
 }
 
 /* False, after what is wrong was said of the step. */
@@ -244,7 +255,7 @@ static bool all_used(struct table *table)
     if (table->s->from_count == 0)
         return BINDING_FAULT(table, table->s->node, 0, "expected an equation or a %s in 'from'", "principle");
     for (int i = 0; i < table->s->from_count; i++)
-        if (!breaks_by(table, CHANGE_ANY, -1, table->s->from[i], NULL))
+        if (!breaks_by_entry(table, table->s->from[i]))
             return BINDING_FAULT(table, item(table, "from", i), 0, "'%s' is not used: any formula in its place would do", table->s->from[i]);
     return true;
 }
@@ -372,7 +383,7 @@ static bool all_changes_tell(struct table *table, int to, const struct program *
             if (!change_node(&n, change, &instead))
                 continue;
             table->b->mutants++;
-            if (!breaks_by(table, change, node, NULL, part) && !is_equivalent(p, wanted, change, node))
+            if (!breaks_by_part(table, part, change, node) && !is_equivalent(p, wanted, change, node))
                 silent = change_names[change];
         }
     free(spoken);
@@ -385,10 +396,10 @@ static bool part_is_bound(struct table *table, int to, const struct entry_part *
 {
     const struct program *p = &part->formulas->program;
     const bool side = part->formulas != &part->section->corrected;
-    if (!breaks_by(table, CHANGE_ANY, -1, NULL, part))
+    if (!breaks_by_part(table, part, CHANGE_ANY, -1))
         return BINDING_FAULT(table, item(table, "to", to), 0, "%s stands in no equality%s", part->name,
                              side ? " as a whole: a side is not shown" : "");
-    if (!side && !breaks_by(table, CHANGE_RESULT, -1, NULL, part) && part->equation != NULL &&
+    if (!side && !breaks_by_part(table, part, CHANGE_RESULT, -1) && part->equation != NULL &&
         !is_equivalent(p, part->node, CHANGE_RESULT, part->node))
         return BINDING_FAULT(table, item(table, "to", to), 0, "%s may have the other sign and every equality holds still", part->name);
     return part->equation == NULL || (all_changes_tell(table, to, p, part->node, part) && (side || is_general(table, to, part)));
@@ -430,10 +441,11 @@ static bool all_wanted(struct table *table)
 
 void step_bind(const struct derivations *d, const struct step *s, struct binding *b)
 {
-    struct table table = {.d = d, .s = s, .b = b};
+    struct table table = {.d = d, .s = s, .b = b, .uses = xrealloc(NULL, (size_t)s->corrected.use_count + 1, sizeof *table.uses)};
     *b = (struct binding){.mutants = 0};
     if (no_tautology(&table) && nothing_beyond(&table) && all_used(&table) && all_shown(&table))
         all_wanted(&table);
+    free(table.uses);
 }
 
 bool step_holds(struct step *s)
