@@ -87,6 +87,7 @@ static const struct {
 } bound[] = {
     {"a*b + c", SAME, 5},
     {"a*b - c", SAME, 5},
+    {"b - a", SAME, 3}, /* the first of all names on the right */
     {"a/b", SAME, 2},
     {"-a", SAME, 2},
     {"a^2", SAME, 2},
