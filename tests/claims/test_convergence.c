@@ -309,7 +309,7 @@ TEST(hill_differs_by_what_the_inertial_motion_says)
     ck_assert(s->differences(d, steps(), s, smallness));
     ck_assert(trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = true}, 43200, 1, 43200));
     for (int i = 0; i < 2; i++) {
-        arb_mul(x, trajectory_sample(&t, 0) + cases[i].which, i ? t.L_ref : t.arm, PREC);
+        arb_mul(x, trajectory_sample(&t, 0) + cases[i].which, t.unit + cases[i].which, PREC);
         arb_set_str(y, cases[i].inertial, PREC);
         arb_sub(x, x, y, PREC);
         arb_abs(x, x);
@@ -367,48 +367,44 @@ static const struct {
     {"peak_psi", {{.nonlinear = true, .psi = "1.6"}, 0, 100, 1000, NULL}, true},
 };
 
-EACH(what_is_not_proved_is_not_given, COUNT(measured))
+/* One number of a simulation. */
+static void number_of(arb_t x, const struct sampled *sampled, const char *name)
 {
-    struct computed *c = computed_new((struct computation){"here", run_simulation, &measured[_i].sampled}, steps());
-    SCOPE(arb, x);
-    computed_ask(c, measured[_i].name);
-    computed_number(c, measured[_i].name, x);
-    ck_assert_int_eq(arb_is_finite(x), measured[_i].given);
-    ck_assert(!arb_is_exact(x));
-    computed_number(c, "at_theta", x);
-    ck_assert(!arb_is_finite(x)); /* not asked for before it ran */
+    struct computed *c = computed_new((struct computation){"here", run_simulation, sampled}, steps());
+    SCOPE(arb, other);
+    computed_ask(c, name);
+    computed_number(c, name, x);
+    computed_number(c, "at_theta", other);
+    ck_assert(!arb_is_finite(other)); /* not asked for before it ran */
     computed_free(c);
 }
 
-/* What is the largest or the least of several samples is that of each of them. */
-TEST(extremes_are_those_of_all_samples)
+EACH(what_is_not_proved_is_not_given, COUNT(measured))
 {
-    enum { HOURS = 6, MEASURES = 5 };
-    static const char *const names[MEASURES] = {"part_psi", "peak_psi", "high_psi", "low_psi", "part_dL"};
+    SCOPE(arb, x);
+    number_of(x, &measured[_i].sampled, measured[_i].name);
+    ck_assert_int_eq(arb_is_finite(x), measured[_i].given);
+    ck_assert(!arb_is_exact(x));
+}
+
+/* What is the largest or the least of several samples is that of each of them. */
+EACH(extremes_are_those_of_all_samples, 5)
+{
+    enum { HOURS = 3 };
+    static const char *const names[] = {"part_psi", "peak_psi", "high_psi", "low_psi", "part_dL"};
     const struct simulation other = {.steps = steps(), .nonlinear = true, .theta = "0"};
-    const struct sampled sampled = {{.nonlinear = true}, 0, 3600, HOURS * 3600, &other};
-    struct computed *c = computed_new((struct computation){"here", run_simulation, &sampled}, steps());
-    char name[MEASURES][HOURS + 1][32];
-    SCOPE(arb, all, one);
-    VECTOR(arb, most, MEASURES);
-    for (int i = 0; i < MEASURES; i++) {
-        computed_ask(c, names[i]);
-        for (int k = 0; k <= HOURS; k++) {
-            snprintf(name[i][k], sizeof name[i][k], "%s_%d_%d", i % 4 == 0 ? names[i] : "at_psi", k, k);
-            computed_ask(c, name[i][k]);
-        }
+    const struct sampled sampled = {{.nonlinear = true}, 0, 2 * HOUR, 2 * HOURS * HOUR, &other};
+    SCOPE(arb, all, one, most);
+    for (int k = 0; k <= HOURS; k++) {
+        char name[32];
+        snprintf(name, sizeof name, "%s_%d_%d", _i % 4 == 0 ? names[_i] : "at_psi", 2 * k, 2 * k);
+        number_of(one, &sampled, name);
+        if (_i == 1)
+            arb_abs(one, one);
+        (_i != 3 ? arb_max : arb_min)(most, k == 0 ? one : most, one, PREC);
     }
-    for (int i = 0; i < MEASURES; i++) {
-        for (int k = 0; k <= HOURS; k++) {
-            computed_number(c, name[i][k], one);
-            if (i == 1)
-                arb_abs(one, one);
-            (i != 3 ? arb_max : arb_min)(most + i, k == 0 ? one : most + i, one, PREC);
-        }
-        computed_number(c, names[i], all);
-        ck_assert_msg(arb_overlaps(all, most + i) && arb_rel_accuracy_bits(all) > 20, "%s", names[i]);
-    }
-    computed_free(c);
+    number_of(all, &sampled, names[_i]);
+    ck_assert_msg(arb_overlaps(all, most) && arb_rel_accuracy_bits(all) > 20, "%s", names[_i]);
 }
 
 /* Between samples two motions are apart by no more than on them and what each exceeds its own by. */
@@ -416,12 +412,10 @@ TEST(what_lies_between_two_motions_has_the_excess_of_both)
 {
     const struct simulation one = {.steps = steps()}, other = {.steps = steps(), .nonlinear = true, .theta = "0"};
     const struct sampled sampled = {one, 0, 4000, 40000, &other};
-    struct computed *c = computed_new((struct computation){"here", run_simulation, &sampled}, steps());
     struct trajectory t[2];
     VECTOR(arb, b, BOUNDS);
     SCOPE(arb, x, y, part);
-    computed_ask(c, "between_x1");
-    computed_number(c, "between_x1", x);
+    number_of(x, &sampled, "between_x1");
     ck_assert(trajectory_run(&t[0], &one, 0, 4000, 40000) && trajectory_run(&t[1], &other, 0, 4000, 40000));
     trajectory_peak(y, &t[0], &t[1], PLACE_X, 0, 10);
     for (int i = 0; i < 2; i++) {
@@ -434,7 +428,6 @@ TEST(what_lies_between_two_motions_has_the_excess_of_both)
     ck_assert(arb_overlaps(x, y) && arb_rel_accuracy_bits(x) > 40);
     trajectory_clear(&t[0]);
     trajectory_clear(&t[1]);
-    computed_free(c);
 }
 
 static void give_two(struct computed *c)
@@ -479,22 +472,18 @@ TEST(measures_are_in_SI)
         double within;
     } numbers[] = {
         {"peak_dL", "0.1", 1e-15}, {"at_x1_0", "5.05", 1e-14}, {"at_psi_0", "0.01", 1e-15}, {"energy_of_psi", "0.0002", 1e-15}, /* (3 + (c1 - 9))/2 of 1e-4 */
-        {"low_dL_0_0", "0.1", 1e-15}, {"low_dL_1_2", NULL, 0}, {"at_dL_2", NULL, 0},
+        {"low_dL_0_0", "0.1", 1e-15},
     };
     const struct sampled start = {{.n = "10"}, 0, 3600, 2 * 3600, NULL};
-    struct computed *c = computed_new((struct computation){"here", run_simulation, &start}, steps());
     SCOPE(arb, x, y);
-    for (int i = 0; i < COUNT(numbers); i++)
-        computed_ask(c, numbers[i].name);
-    for (int i = 0; numbers[i].value != NULL; i++) {
-        computed_number(c, numbers[i].name, x);
+    for (int i = 0; i < COUNT(numbers); i++) {
+        number_of(x, &start, numbers[i].name);
         assert_number(x, numbers[i].value, numbers[i].within);
     }
-    computed_number(c, "low_dL_1_2", x);
-    computed_number(c, "at_dL_2", y);
+    number_of(x, &start, "low_dL_1_2");
+    number_of(y, &start, "at_dL_2");
     arb_sub(x, x, y, PREC);
     assert_number(x, "0", 1e-15); /* it falls */
-    computed_free(c);
 }
 
 /* The linear dL passes 0 at 5.31, 28.5 and 51.1 h (mpmath, as in test_trajectory.c): told by samples of hours, the first at 1 h too. */
@@ -505,18 +494,13 @@ TEST(signs_change_between_samples)
         slong from_0, from_1;
     } changes[] = {{"changes_dL", 3, 3}, {"changes_dL_0_5", 0, -1}, {"changes_dL_1_28", 1, 1}, {"changes_dL_5_29", 2, 2}, {"changes_dL_6_51", 1, 1},
                    {"changes_dL_6_52", 2, 2}, {"changes_dL_52_72", 0, 0}};
-    for (int first = 0; first < 2; first++) {
+    for (int i = 0; i < 2 * COUNT(changes); i++) {
+        const int first = i % 2;
         const struct sampled all = {{.n = "10"}, first * HOUR, HOUR, 72 * HOUR, NULL};
-        struct computed *c = computed_new((struct computation){"here", run_simulation, &all}, steps());
+        const slong due = first == 0 ? changes[i / 2].from_0 : changes[i / 2].from_1;
         SCOPE(arb, x);
-        for (int i = 0; i < COUNT(changes); i++)
-            computed_ask(c, changes[i].name);
-        for (int i = 0; i < COUNT(changes); i++) {
-            const slong due = first == 0 ? changes[i].from_0 : changes[i].from_1;
-            computed_number(c, changes[i].name, x);
-            ck_assert_msg(due < 0 ? !arb_is_finite(x) : arb_equal_si(x, due), "%s from %d h", changes[i].name, first);
-        }
-        computed_free(c);
+        number_of(x, &all, changes[i / 2].name);
+        ck_assert_msg(due < 0 ? !arb_is_finite(x) : arb_equal_si(x, due), "%s from %d h", changes[i / 2].name, first);
     }
 }
 
@@ -526,16 +510,11 @@ TEST(names_of_nothing_have_no_number)
     static const char *const names[] = {"sub_psi", "sup_pis", "sup_amplitude", "exit_product_100", "energy_of_theta", "gap_psi", "part_psi",
                                         "sup_psi_3", "sup_psi_2_1", "peak_psi_0_3", "sup_psi_0_3", "at_psi_1234567890", "sup_psi_1_", "sup_psi_01", "exit_psi_0"};
     const struct sampled start = {{.n = "10"}, 0, 3600, 2 * 3600, NULL};
-    struct computed *c = computed_new((struct computation){"here", run_simulation, &start}, steps());
     SCOPE(arb, x);
-    for (int i = 0; i < COUNT(names); i++)
-        computed_ask(c, names[i]);
-    computed_ask(c, "sup_psi_1_2");
     for (int i = 0; i < COUNT(names); i++) {
-        computed_number(c, names[i], x);
+        number_of(x, &start, names[i]);
         ck_assert_msg(!arb_is_finite(x), "%s", names[i]);
     }
-    computed_number(c, "sup_psi_1_2", x);
+    number_of(x, &start, "sup_psi_1_2");
     ck_assert(arb_is_finite(x));
-    computed_free(c);
 }

@@ -18,10 +18,9 @@ static void trajectory_of(struct trajectory *t, bool nonlinear, slong count, lon
 {
     *t = (struct trajectory){.steps = steps(), .nonlinear = nonlinear, .prec = PREC, .count = count, .step = step};
     trajectory_init(t);
-    arb_ptr values[] = {t->c1, t->c2, t->Omega, t->L_ref, t->arm};
-    const double given[] = {c1, c2, 0x1p-14, 10, 5};
-    for (int i = 0; i < 5; i++)
-        arb_set_d(values[i], given[i]);
+    arb_set_d(t->c1, c1);
+    arb_set_d(t->c2, c2);
+    arb_set_d(t->Omega, 0x1p-14);
 }
 
 static void assert_at_least(const arb_t bound, const arb_t truth, double at_most, const char *what, int number)
@@ -291,18 +290,17 @@ EACH(samples_hold_both_ends_of_what_they_start_from, 2 * FLOW_STATE)
         for (int i = 0; i < VARIABLES; i++) {
             trajectory_value(x, &t, 0, i);
             ck_assert_msg(arb_contains(x, truth + i) && arb_rel_accuracy_bits(x) > 4, "variable %d, side %d", i, side);
-            trajectory_unit(x, &t, i);
-            ck_assert_double_eq_tol(arf_get_d(arb_midref(x), ARF_RND_NEAR), unit[i], 1e-15);
+            ck_assert_double_eq_tol(arf_get_d(arb_midref(t.unit + i), ARF_RND_NEAR), unit[i], 1e-15);
         }
     }
 }
 
 /* ---- roundings: what few bits say holds what many say ---- */
 
-enum { ENERGY = VARIABLES, EXCESS, SUPREMUM = EXCESS + VARIABLES, UNIT = SUPREMUM + VARIABLES, GAP = UNIT + VARIABLES, PEAK = GAP + VARIABLES,
+enum { ENERGY = VARIABLES, EXCESS, SUPREMUM = EXCESS + VARIABLES, GAP = SUPREMUM + VARIABLES, PEAK = GAP + VARIABLES,
        BOUND = PEAK + VARIABLES, SERIES = BOUND + COORDINATES, NUMBERS = SERIES + 3 * DERIVATIVES };
 
-enum { PLAIN = -1, NUMBERS_IN = 5 + 2 * COORDINATES }; /* gains, units, samples */
+enum { PLAIN = -1, NUMBERS_IN = 3 + 2 * COORDINATES }; /* gains, Omega, samples */
 
 /*
  * All that is said of two trajectories of two samples each, whose numbers are doubles; where not all are plain, the one of that
@@ -316,13 +314,12 @@ static void numbers_of(arb_ptr z, bool nonlinear, int seed, slong prec, int wide
     trajectory_of(&other, nonlinear, 2, 700, 11.3, 2.7);
     t.prec = other.prec = prec;
     arb_set_d(t.Omega, 7.2915e-5);
-    arb_set_d(t.arm, 10 / 3.0);
     for (int i = 0; i < 2 * COORDINATES; i++) {
         arb_set_d(t.samples + i, 0.03 * sin(1 + 7 * i + 31 * seed));
         arb_set_d(other.samples + i, 0.03 * sin(2 + 5 * i + 17 * seed));
     }
     if (wide != PLAIN) {
-        arb_ptr all[] = {t.c1, t.c2, t.Omega, t.L_ref, t.arm}, x = wide < 5 ? all[wide] : t.samples + wide - 5;
+        arb_ptr all[] = {t.c1, t.c2, t.Omega}, x = wide < 3 ? all[wide] : t.samples + wide - 3;
         SCOPE(arb, radius);
         arb_abs(radius, x);
         arb_mul_2exp_si(radius, radius, -20);
@@ -334,7 +331,6 @@ static void numbers_of(arb_ptr z, bool nonlinear, int seed, slong prec, int wide
     ck_assert(nonlinear || trajectory_bounds(b, &t, 0));
     for (int i = 0; i < VARIABLES; i++) {
         trajectory_value(z + i, &t, 1, i);
-        trajectory_unit(z + UNIT + i, &t, i);
         trajectory_peak(z + GAP + i, &t, &other, i, 0, 1);
         trajectory_peak(z + PEAK + i, &t, NULL, i, 0, 1);
         if (i <= PRODUCT && !nonlinear) {

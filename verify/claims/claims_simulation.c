@@ -170,7 +170,7 @@ static bool read_name(struct request *r, const char *name)
 static void give_measure(struct computed *c, const struct trajectory *t, const struct trajectory *beside, const char *name)
 {
     struct request r = {.of = t, .beside = beside, .numbers = {-1, -1}, .to = t->count - 1};
-    SCOPE(arb, x, unit);
+    SCOPE(arb, x);
     if (!read_name(&r, name))
         return;
     const struct measure *m = r.measure;
@@ -181,9 +181,8 @@ static void give_measure(struct computed *c, const struct trajectory *t, const s
     if (r.numbers[1] >= 0)
         r.to = (r.numbers[1] * HOUR - t->first) / t->step;
     const bool proved = r.from >= 0 && r.from <= r.to && r.to < t->count && m->of(x, &r);
-    trajectory_unit(unit, t, r.which);
     if (m->in_units)
-        arb_mul(x, x, unit, t->prec);
+        arb_mul(x, x, t->unit + r.which, t->prec);
     give(c, proved, x, "%s", name);
 }
 

@@ -14,14 +14,13 @@ enum { PREC = 192, SLOW_DIGITS = 5 }; /* what the slow law leaves is of the orde
 /* The largest |a - b| of the study's variables on the samples, in SI; of an amplitude, as a part of the first. */
 static void differences(arb_ptr d, const struct study *study, const struct trajectory *a, const struct trajectory *b)
 {
-    SCOPE(arb, unit);
+    SCOPE(arb, whole);
     for (int i = 0; i < study->count; i++) {
         trajectory_peak(d + i, a, b, study->which[i], 0, a->count - 1);
-        trajectory_unit(unit, a, study->which[i]);
-        arb_mul(d + i, d + i, unit, PREC);
+        arb_mul(d + i, d + i, a->unit + study->which[i], PREC);
         if (study->which[i] == AMPLITUDE) {
-            trajectory_value(unit, b, 0, AMPLITUDE);
-            arb_div(d + i, d + i, unit, PREC);
+            trajectory_value(whole, b, 0, AMPLITUDE);
+            arb_div(d + i, d + i, whole, PREC);
         }
     }
 }
@@ -80,7 +79,7 @@ static void place_pair(struct two_body *b, const struct trajectory *t, const fmp
     arb_set_fmpq(b->smallness, smallness, PREC);
     arb_set(b->c1, t->c1);
     arb_set(b->c2, t->c2);
-    arb_div(b->mass + 1, t->arm, t->L_ref, PREC); /* arm = m2/(m1 + m2) L_ref */
+    arb_div(b->mass + 1, t->unit + PLACE_X, t->unit + ETA, PREC); /* m2/(m1 + m2) L_ref, L_ref */
     arb_sub_ui(b->mass, b->mass + 1, 1, PREC);
     arb_neg(b->mass, b->mass);
     _arb_vec_scalar_mul(b->place, trajectory_sample(t, 0) + PLACE_X, AXES, b->mass + 1, PREC);

@@ -27,13 +27,15 @@
 
 #include "proof/derivation.h"
 
+/* The number, and another if it is the lesser; what vanishes at x, once from low to high. */
+enum { VALUE, OTHER, VANISHES, LOW, HIGH, FORMULAS };
+
 struct guarantee {
-    const char *name;        /* in formulas, and as a column of data/basin.csv or data/tolerance.csv */
-    int lengths, rates;      /* in SI: times L_ref^lengths Omega^rates */
-    const char *unit;        /* there; "-": a number */
-    const char *meaning;     /* NULL: serves the others alone */
-    const char *value[2];    /* the formula; of two the lesser; NULL: the root x itself, without one largest_hold */
-    const char *root, *low, *high; /* vanishes at x, once between low and high */
+    const char *name;    /* in formulas, and as a column of data/basin.csv or data/tolerance.csv */
+    int lengths, rates;  /* in SI: times L_ref^lengths Omega^rates */
+    const char *unit;    /* there; "-": a number */
+    const char *meaning; /* NULL: serves the others alone */
+    const char *formula[FORMULAS]; /* NULL: of the number, the root x itself, without one largest_hold */
 };
 
 /* Each rests on those before it; the last one has no name. */

@@ -1,8 +1,5 @@
 #include "claims/trajectory.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 #include "motion/motion.h"
 #include "motion/taylor.h"
 #include "text/decimal.h"
@@ -13,7 +10,7 @@ enum { X, Y, Z, U, V, W };
 enum {
     SLICES = 24,     /* of a box of states by length: the forces nearly cancel, which one box would not see */
     BOUND_BITS = 64, /* of bounds on derivatives */
-    CONSTANTS = 6    /* c1, c2, Omega, L_ref, arm, amplitude */
+    OTHERS = 3       /* numbers of a trajectory beside units and samples */
 };
 
 /* ---- the simulation ---- */
@@ -27,18 +24,17 @@ void sheet_value(arb_t x, const struct sheet *s, const char *name, slong prec)
 
 void trajectory_init(struct trajectory *t)
 {
-    t->c1 = _arb_vec_init(CONSTANTS + COORDINATES * t->count);
+    t->c1 = _arb_vec_init(OTHERS + VARIABLES + COORDINATES * t->count);
     t->c2 = t->c1 + 1;
-    t->Omega = t->c1 + 2;
-    t->L_ref = t->c1 + 3;
-    t->arm = t->c1 + 4;
-    t->amplitude = t->c1 + 5;
-    t->samples = t->c1 + CONSTANTS;
+    t->amplitude = t->c1 + 2;
+    t->unit = t->c1 + OTHERS;
+    t->Omega = t->unit + PSI_DOT;
+    t->samples = t->unit + VARIABLES;
 }
 
 void trajectory_clear(struct trajectory *t)
 {
-    _arb_vec_clear(t->c1, CONSTANTS + COORDINATES * t->count);
+    _arb_vec_clear(t->c1, OTHERS + VARIABLES + COORDINATES * t->count);
     second_order_clear(&t->closed);
 }
 
@@ -47,11 +43,11 @@ static void set_constants(struct trajectory *t, const struct flow_parameters *p,
 {
     SCOPE(arb, x);
     flow_gains(t->c1, t->c2, p, t->prec);
-    arb_set(t->Omega, p->Omega);
-    arb_set(t->L_ref, p->L_ref);
-    arb_add(t->arm, p->m1, p->m2, t->prec);
-    arb_div(t->arm, p->m2, t->arm, t->prec);
-    arb_mul(t->arm, t->arm, p->L_ref, t->prec);
+    for (int i = PRODUCT; i < VARIABLES; i++)
+        arb_one(t->unit + i);
+    flow_units(t->unit, true, p, t->prec);
+    _arb_vec_set(t->unit + PLACE_X, t->unit, FLOW_HALF);
+    flow_units(t->unit, false, p, t->prec);
     arb_set_fmpq(t->amplitude, theta, t->prec);
     second_order_init(&t->closed, t->steps, t->c1, t->c2, t->prec);
     if (swing == NULL)
@@ -87,9 +83,8 @@ static void set_up(struct flow_parameters *p, arb_ptr initial, struct trajectory
     }
     if (start == NULL)
         return;
-    flow_units(initial, false, p, t->prec);
     for (int i = 0; i < FLOW_STATE; i++)
-        arb_mul(initial + i, initial + i, start + i, t->prec);
+        arb_mul(initial + i, t->unit + i, start + i, t->prec);
     if (s->nonlinear)
         state_from_angles(initial, s->steps->sheet, p, t->prec);
 }
@@ -131,28 +126,25 @@ static void to_angles(arb_ptr sample, arb_srcptr state, slong prec)
 static int take_sample(void *context, slong k, const fmpq_t time, arb_srcptr state)
 {
     struct trajectory *t = context;
-    arb_ptr sample = trajectory_sample(t, k);
+    arb_ptr sample = trajectory_sample(t, k), place = sample + PLACE_X;
     VECTOR(arb, own, FLOW_STATE);
     (void)time;
-    for (int i = 0; i < FLOW_STATE; i++) {
-        arb_set(own + i, state + i);
-        if (i >= 3)
-            arb_div(own + i, own + i, t->Omega, t->prec);
-        if (t->nonlinear)
-            arb_div(own + i, own + i, t->arm, t->prec);
-        else if (i % 3 == ETA)
-            arb_div(own + i, own + i, t->L_ref, t->prec);
-    }
     if (t->nonlinear) {
+        for (int i = 0; i < FLOW_STATE; i++) {
+            arb_div(own + i, state + i, t->unit + PLACE_X, t->prec);
+            if (i >= FLOW_HALF)
+                arb_div(own + i, own + i, t->Omega, t->prec);
+        }
         to_angles(sample, own, t->prec);
-        _arb_vec_set(sample + PLACE_X, own, 3);
+        _arb_vec_set(place, own, FLOW_HALF);
         return 0;
     }
-    _arb_vec_set(sample, own, FLOW_STATE);
-    arb_add_ui(sample + PLACE_X, sample + ETA, 1, t->prec); /* eq10lin */
-    arb_mul(sample + PLACE_Y, sample + PLACE_X, sample + PSI, t->prec);
-    arb_mul(sample + PLACE_Z, sample + PLACE_X, sample + THETA, t->prec);
-    arb_neg(sample + PLACE_Z, sample + PLACE_Z);
+    for (int i = 0; i < FLOW_STATE; i++)
+        arb_div(sample + i, state + i, t->unit + i, t->prec);
+    arb_add_ui(place, sample + ETA, 1, t->prec); /* eq10lin */
+    arb_mul(place + 1, place, sample + PSI, t->prec);
+    arb_mul(place + 2, place, sample + THETA, t->prec);
+    arb_neg(place + 2, place + 2);
     return 0;
 }
 
@@ -204,27 +196,6 @@ void trajectory_slow_law(arb_t amplitude, const struct trajectory *t, slong k)
     arb_mul(amplitude, amplitude, t->amplitude, t->prec);
 }
 
-void trajectory_unit(arb_t unit, const struct trajectory *t, int which)
-{
-    arb_one(unit);
-    if (which == ETA || which == ETA_DOT)
-        arb_set(unit, t->L_ref);
-    if (which >= PSI_DOT && which <= ETA_DOT)
-        arb_mul(unit, unit, t->Omega, t->prec);
-    if (which >= PLACE_X && which <= PLACE_Z)
-        arb_set(unit, t->arm);
-}
-
-/* Those of the closed form. */
-static void sample_closed_form(struct trajectory *t)
-{
-    SCOPE(arb, tau);
-    for (slong k = 0; k < t->count; k++) {
-        time_of_sample(tau, t, k);
-        second_order_after(trajectory_sample(t, k), &t->closed, t->amplitude, tau);
-    }
-}
-
 bool trajectory_run(struct trajectory *t, const struct simulation *s, long first, long step, long last)
 {
     enum { FORCED_ORDER = 8 }; /* of derivatives: what is forced has no coordinate far from rest */
@@ -232,6 +203,7 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
     const slong digits = s->digits > 0 ? s->digits : TRAJECTORY_DIGITS;
     FLOW_PARAMETERS(p);
     SCOPE(fmpq, h);
+    SCOPE(arb, tau);
     OWNED(moved_loop) moved;
     *t = (struct trajectory){.steps = s->steps, .nonlinear = s->nonlinear, .other_law = s->swing != NULL || s->held != NULL,
                              .prec = s->rk4 ? rk4_precision(digits, radians) : flow_precision(digits, radians),
@@ -244,10 +216,12 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
     for (slong k = 0; k < t->count; k++)
         fmpq_set_si(times + k, first + k * step, 1);
     fmpq_set_si(h, s->rk4, 1);
-    if (s->closed_form) {
-        sample_closed_form(t);
-        return true;
+    for (slong k = 0; k < t->count && s->closed_form; k++) {
+        time_of_sample(tau, t, k);
+        second_order_after(trajectory_sample(t, k), &t->closed, t->amplitude, tau);
     }
+    if (s->closed_form)
+        return true;
     const struct flow_steps how = {.derivative_order = s->forced ? FORCED_ORDER : 0, .system = s->swing != NULL ? &moved.system : NULL,
                                    .constants = moved.constants, .held = s->held};
     return flow_run(&(struct flow_request){&p, initial, times, t->count, digits, t->prec, take_sample, t, s->nonlinear,

@@ -48,8 +48,8 @@ struct trajectory {
     slong prec, count;
     long first, step;                 /* s: of the samples */
     arb_ptr c1, c2;                   /* C1/Omega^2, C2/Omega */
-    arb_ptr Omega, L_ref, arm;        /* rad/s, m, m */
     arb_ptr amplitude;                /* of pitch at the start, rad */
+    arb_ptr unit, Omega;              /* what one of each variable is in SI; of psi_dot, in rad/s */
     arb_ptr samples;
     struct second_order closed;       /* the closed form of these gains and this law */
 };
@@ -71,9 +71,8 @@ void angle_series(arb_ptr angles, arb_srcptr place, slong n, slong prec);
 /* dQ/Q_ref that the law (18) commands: (c1 eta + c2 eta')/3 */
 void commanded(arb_t product, const arb_t c1, const arb_t c2, const arb_t eta, const arb_t eta_dot, slong prec);
 
-/* One of the variables at a sample, and what one of it is in SI. */
+/* One of the variables at a sample. */
 void trajectory_value(arb_t x, const struct trajectory *t, slong k, int which);
-void trajectory_unit(arb_t unit, const struct trajectory *t, int which);
 
 /* The amplitude of pitch at a sample by the slow law of second_order.h. */
 void trajectory_slow_law(arb_t amplitude, const struct trajectory *t, slong k);

@@ -87,7 +87,7 @@ static void print_forced(struct study_run *r)
         second_order_at(forced, &o, samples[0] + THETA, z);
         printf("%ld", (long)k * STEP);
         for (int i = 0; i < 3; i++) {
-            arb_mul(dL, samples[i] + ETA, motion.L_ref, STUDY_BITS);
+            arb_mul(dL, samples[i] + ETA, motion.unit + ETA, STUDY_BITS);
             print_field(r, samples[i] + PSI, ROW_DIGITS);
             print_field(r, dL, ROW_DIGITS);
         }
