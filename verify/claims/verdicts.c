@@ -32,47 +32,40 @@ static void add_words(struct verdict_row *row, const char *format, ...)
 
 /* ---- each equation as printed ---- */
 
-/* All outputs to six digits, of the paper's case with some inputs replaced (NULL: as they are there); false outside the domain. */
-static bool values(char **outputs, const struct section *s, bool as_printed, const char *const *replaced)
-{
-    struct operation o;
-    struct input *inputs = inputs_new(s->input_count);
-    operation_init(&o, s, as_printed);
-    for (int i = 0; i < s->input_count; i++) {
-        const struct quantity *q = s->inputs[i];
-        const char *text = replaced[i] ? replaced[i] : q->value ? q->value : q->example;
-        literal_read(&inputs[i].value, text, true);
-    }
-    bool fine = operation_digits(&o, inputs, 6, outputs) == OPERATION_PROVED;
-    operation_clear(&o);
-    inputs_free(inputs, s->input_count);
-    return fine;
-}
-
-/* "; CASE: NAME = corrected, as printed ..." for the outputs that differ. What there is to say of one case. */
+/* What there is to say of one case: nothing, that only the print has values, that its values differ. */
 enum difference { NONE, OUTSIDE, INSIDE };
 
+/* "; CASE: NAME = corrected, as printed ..." for the outputs that differ to six digits, some inputs of the paper's case being replaced. */
 static enum difference compare_prints(struct verdict_row *row, const struct section *s, const char *name, const char *const *replaced)
 {
-    char *right[MOST_OUTPUTS] = {NULL}, *printed[MOST_OUTPUTS] = {NULL};
+    char *digits[2][MOST_OUTPUTS] = {{NULL}}; /* as it is right, as printed */
+    bool inside[2];
     enum difference difference = NONE;
-    const bool inside = values(right, s, false, replaced);
-    if (values(printed, s, true, replaced))
-        for (int i = 0; i < s->output_count; i++)
-            if (!inside || strcmp(right[i], printed[i]) != 0) {
-                add_words(row, difference == NONE ? "; %s:" : ",", name);
-                add_words(row, " $%s$ = ", s->outputs[i]->name);
-                if (inside)
-                    write_decimal(&row->evidence, right[i], NULL);
-                else
-                    add_words(row, "none");
-                add_words(row, ", as printed ");
-                write_decimal(&row->evidence, printed[i], NULL);
-                difference = inside ? INSIDE : OUTSIDE;
-            }
+    struct input *inputs = inputs_new(s->input_count);
+    for (int i = 0; i < s->input_count; i++) {
+        const struct quantity *q = s->inputs[i];
+        literal_read(&inputs[i].value, replaced[i] ? replaced[i] : q->value ? q->value : q->example, true);
+    }
+    for (int printed = 0; printed < 2; printed++) {
+        OWNED(operation) o;
+        operation_init(&o, s, printed);
+        inside[printed] = operation_digits(&o, inputs, 6, digits[printed]) == OPERATION_PROVED;
+    }
+    inputs_free(inputs, s->input_count);
     for (int i = 0; i < s->output_count; i++) {
-        free(right[i]);
-        free(printed[i]);
+        if (inside[1] && (!inside[0] || strcmp(digits[0][i], digits[1][i]) != 0)) {
+            add_words(row, difference == NONE ? "; %s:" : ",", name);
+            add_words(row, " $%s$ = ", s->outputs[i]->name);
+            if (inside[0])
+                write_decimal(&row->evidence, digits[0][i], NULL);
+            else
+                add_words(row, "none");
+            add_words(row, ", as printed ");
+            write_decimal(&row->evidence, digits[1][i], NULL);
+            difference = inside[0] ? INSIDE : OUTSIDE;
+        }
+        free(digits[0][i]);
+        free(digits[1][i]);
     }
     return difference;
 }
@@ -229,6 +222,7 @@ static void table_rows(struct giving *g)
     const struct sheet *sheet = g->claims->sheet;
     for (int i = 0; i < sheet->row_count; i++) {
         const struct table_row *t = &sheet->table1[i];
+        const bool computed = table_row_is_computed(sheet, t);
         char id[64], claim[96];
         bool rounds;
         snprintf(id, sizeof id, "table1-%s", t->name);
@@ -238,10 +232,11 @@ static void table_rows(struct giving *g)
         struct verdict_row row = {.id = id, .where = "Table 1", .kind = "number"};
         write_marked(&row.claim, claim);
         char *value = table_row_value(sheet, t, &rounds);
-        add_words(&row, "%s", table_row_is_computed(sheet, t) ? "by (7) from the other rows: " : "an input of the simulation, used as printed: ");
+        add_words(&row, computed ? "by (7) from the other rows: " : "an input of the simulation, used as printed: ");
         write_decimal(&row.evidence, value, t->unit);
-        add_words(&row, "%s", table_row_is_computed(sheet, t) ? ", which rounds to the print" : "");
-        row.verdict = !rounds ? VERDICT_NONE : table_row_is_computed(sheet, t) ? HOLDS : DEFINITION;
+        if (computed)
+            add_words(&row, ", which rounds to the print");
+        row.verdict = !rounds ? VERDICT_NONE : computed ? HOLDS : DEFINITION;
         give_row(g, &row);
         free(value);
     }
