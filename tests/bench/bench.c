@@ -91,7 +91,7 @@ static void bench_flow(flow_function *flow, long digits, double days)
     scenario_initial(state, &s, &p, true, prec);
     fmpq_set_si(t, (slong)(86400 * days), 1);
     double start = seconds();
-    enum flow_status status = flow(&(struct flow_request){&p, state, t, 1, digits, prec, keep, state, true, NULL, NULL, 0, 0});
+    enum flow_status status = flow(&(struct flow_request){&p, state, t, 1, digits, prec, keep, state, true, NULL, NULL, 0});
     double taken = seconds() - start;
     for (int i = 0; i < FLOW_STATE; i++)
         radius = fmax(radius, mag_get_d_log2_approx(arb_radref(state + i)) - (i < 3 ? 0 : log2(Omega)));
@@ -323,7 +323,7 @@ static void bench_set(double cm, double percent, long motions)
             else if (percent > 0)
                 arb_set_d(p.C1, C1 * (1 + share * percent / 100));
         }
-        if (flow_run(&(struct flow_request){&p, state, t, 1, 8, 80, keep, state, true, NULL, NULL, 0, 0}) != FLOW_DONE)
+        if (flow_run(&(struct flow_request){&p, state, t, 1, 8, 80, keep, state, true, NULL, NULL, 0}) != FLOW_DONE)
             factor = NAN;
         for (int v = 0; v < FLOW_STATE; v++) {
             const double x = arf_get_d(arb_midref(state + v), ARF_RND_NEAR);

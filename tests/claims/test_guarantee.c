@@ -142,7 +142,7 @@ TEST(corner_comes_back)
     arb_set_ui(p.C2, 4);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_d(at + i, 0.75 * x[i]); /* craft 1 is at m2/(m1 + m2) of the distance */
-    ck_assert_int_eq(flow_run(&(struct flow_request){&p, at, t, 1, 8, 128, take_last, at, true, NULL, NULL, 0, 0}), FLOW_DONE);
+    ck_assert_int_eq(flow_run(&(struct flow_request){&p, at, t, 1, 8, 128, take_last, at, true, NULL, NULL, 0}), FLOW_DONE);
     arb_dot(square, NULL, 0, at, 1, at, 1, 3, PREC);
     arb_sqrt(r, square, PREC);
     arb_mul_ui(r, r, 4, PREC);

@@ -514,26 +514,3 @@ EACH(motions_are_those_of_the_golden_vectors, 2 * sheet()->section_count)
     }
 }
 
-/* A time of the clock that has not come changes no enclosure by more than its width; one that is over ends the motion. */
-EACH(a_motion_is_given_up_when_its_time_is_over, sheet()->section_count)
-{
-    const struct section *s = operation_at(_i);
-    double values[MOST_INPUTS];
-    VECTOR(arb, whole, MOST_OUTPUTS);
-    VECTOR(arb, looked_at, MOST_OUTPUTS);
-    if (s->method < METHOD_FLOW_LINEAR)
-        return;
-    INPUTS(inputs);
-    OPERATION(o, s);
-    for (int i = 0; i < s->input_count; i++)
-        values[i] = strtod(s->inputs[i]->value ? s->inputs[i]->value : s->inputs[i]->example, NULL);
-    values[input_place(s, "t")] = 7200;
-    ck_assert(inputs_of_values(s, values, inputs));
-    ck_assert_int_eq(operation_follow(&o, inputs, 12, 128, whole), OPERATION_PROVED);
-    o.until = clock() + 60 * CLOCKS_PER_SEC;
-    ck_assert_int_eq(operation_follow(&o, inputs, 12, 128, looked_at), OPERATION_PROVED);
-    for (int i = 0; i < s->output_count; i++)
-        ck_assert(arb_overlaps(whole + i, looked_at + i) && arb_rel_accuracy_bits(looked_at + i) > 30);
-    o.until = 1;
-    ck_assert_int_eq(operation_follow(&o, inputs, 12, 128, looked_at), OPERATION_UNDECIDED);
-}

@@ -61,7 +61,7 @@ static void one_second(arb_ptr out, bool nonlinear, bool step, arb_srcptr in, sl
     for (int i = 0; i < parameters; i++)
         arb_set(all[i], in + i);
     fmpq_one(second);
-    struct flow_request r = {&p, in + parameters, second, 1, 17, prec, take, out, nonlinear, step ? second : NULL, NULL, 0, 0};
+    struct flow_request r = {&p, in + parameters, second, 1, 17, prec, take, out, nonlinear, step ? second : NULL, NULL, 0};
     ck_assert_int_eq(flow_run(&r), FLOW_DONE);
 }
 

@@ -101,7 +101,7 @@ static struct found follow(const struct pair *s, enum way way, const fmpq *times
     SCOPE(fmpq, step);
     fmpq_set_si(step, h, 1);
     struct flow_request request = {&s->p, s->start, times, count, digits, s->prec, keep, &r, way % 2 == 1,
-                                   way >= RK4_LINEAR ? step : NULL, how, 0, 0};
+                                   way >= RK4_LINEAR ? step : NULL, how, 0};
     r.status = flow_run(&request);
     r.reached = request.reached;
     return r;

@@ -143,7 +143,7 @@ static void follow_one(struct seen *seen, const struct box *box, int motion)
     flow_parameters_init(p);
     scenario_parameters(p, &s, PREC);
     scenario_initial(initial, &s, p, true, PREC);
-    ck_assert_int_eq(flow_run(&(struct flow_request){p, initial, seen->rows->times, TIMES, 14, PREC, look, seen, true, NULL, NULL, 0, 0}), FLOW_DONE);
+    ck_assert_int_eq(flow_run(&(struct flow_request){p, initial, seen->rows->times, TIMES, 14, PREC, look, seen, true, NULL, NULL, 0}), FLOW_DONE);
     flow_parameters_clear(p);
 }
 
@@ -196,7 +196,7 @@ TEST(a_factor_on_the_force_is_one_of_the_set)
             arb_mul_ui(scaled[i], scaled[i], (ulong)percent, PREC);
             arb_div_ui(scaled[i], scaled[i], 100, PREC);
         }
-        ck_assert_int_eq(flow_run(&(struct flow_request){&p, initial, rows.times, TIMES, 14, PREC, look, &seen, true, NULL, &how, 0, 0}), FLOW_DONE);
+        ck_assert_int_eq(flow_run(&(struct flow_request){&p, initial, rows.times, TIMES, 14, PREC, look, &seen, true, NULL, &how, 0}), FLOW_DONE);
     }
     ck_assert_int_eq(seen.count, 3 * TIMES);
     flow_parameters_clear(&seen.parameters);
@@ -398,7 +398,7 @@ EACH(S1_to_S9_each_motion_keeps_within_its_set, COUNT(terms))
             arb_ptr x = v < FLOW_STATE ? initial + v : p.C1;
             arb_add(x, x, off, PREC);
         }
-        ck_assert_int_eq(flow_run(&(struct flow_request){&p, initial, times, ROWS, 18, PREC, compare, &b, true, NULL, NULL, 0, 0}), FLOW_DONE);
+        ck_assert_int_eq(flow_run(&(struct flow_request){&p, initial, times, ROWS, 18, PREC, compare, &b, true, NULL, NULL, 0}), FLOW_DONE);
     }
 }
 

@@ -225,7 +225,7 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
     const struct flow_steps how = {.derivative_order = s->forced ? FORCED_ORDER : 0, .system = s->swing != NULL ? &moved.system : NULL,
                                    .constants = moved.constants, .held = s->held};
     return flow_run(&(struct flow_request){&p, initial, times, t->count, digits, t->prec, take_sample, t, s->nonlinear,
-                                           s->rk4 ? h : NULL, &how, 0, 0}) == FLOW_DONE;
+                                           s->rk4 ? h : NULL, &how, 0}) == FLOW_DONE;
 }
 
 /*

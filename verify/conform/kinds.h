@@ -5,6 +5,8 @@
 #ifndef CT_KINDS_H
 #define CT_KINDS_H
 
+#include <time.h>
+
 #include "conform/conform.h"
 
 /* The vectors of a summary that a mistake has to explain, all as binary64, the truth too: NaN where no number was answered, or is due. */

@@ -136,7 +136,7 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
     for (int i = 0; i < parameters + FLOW_STATE; i++) /* of the linear model all but k_c m1 m2 */
         arb_set_fmpq(i >= parameters ? initial + i - parameters : p.Omega + (linear && i > 0 ? i + 3 : i),
                      &inputs[i < parameters ? i : i + 1].value, prec);
-    struct flow_request r = {&p, initial, t, 1, digits, prec, take_state, outputs, !linear, h, NULL, o->until, 0};
+    struct flow_request r = {&p, initial, t, 1, digits, prec, take_state, outputs, !linear, h, NULL, 0};
     const enum flow_status status = flow_run(&r);
     if (!linear && is_static(input_named(o, inputs, "m1"), input_named(o, inputs, "m2"), input_named(o, inputs, "L_ref"), &inputs[parameters + 1]))
         _arb_vec_set(outputs, initial, FLOW_STATE);

@@ -4,8 +4,6 @@
 #ifndef CT_OPERATION_H
 #define CT_OPERATION_H
 
-#include <time.h>
-
 #include "sheet/input.h"
 
 enum operation_status {
@@ -21,7 +19,6 @@ struct operation {
                                operation_valid() of what its conditions rest on alone */
     struct gradient slopes; /* without any until they are asked for */
     slong constants;        /* bits that the machine's own numbers have */
-    clock_t until;          /* of processor time, when a motion is given up; 0: never */
     struct message why;
 };
 

@@ -75,11 +75,6 @@ bool flow_wide(arb_srcptr state, slong bits)
     return mag_is_inf(radius) || mag_cmp(radius, size) > 0;
 }
 
-bool flow_is_over(const struct flow_request *r)
-{
-    return r->until != 0 && clock() > r->until;
-}
-
 bool flow_in_reach(const struct flow_request *r)
 {
     SCOPE(arb, radians, reach);

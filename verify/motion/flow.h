@@ -8,7 +8,6 @@
 #define CT_FLOW_H
 
 #include <stdbool.h>
-#include <time.h>
 
 #include "text/flint.h"
 
@@ -35,7 +34,7 @@ void flow_units(arb_ptr unit, bool nonlinear, const struct flow_parameters *p, s
 
 enum flow_status {
     FLOW_DONE,
-    FLOW_STOPPED,   /* the receiver asked to stop, or the processor's time is over              */
+    FLOW_STOPPED,   /* the receiver asked to stop                                               */
     FLOW_WIDE,      /* the enclosure grew past use: more precision may help                     */
     FLOW_CLOSE,     /* at `reached` L < L_ref/128, proved, and steps become too short to go on: whether
                        the craft meet is not known                                              */
@@ -76,7 +75,6 @@ struct flow_request {
     bool nonlinear;
     const fmpq *h;
     const struct flow_steps *how; /* of nonlinear motions; NULL: all is left to the flow */
-    clock_t until;                /* of processor time, when it is given up; 0: never    */
     double reached;               /* gets the last proved time in seconds                */
 };
 enum flow_status flow_run(struct flow_request *r);
@@ -104,7 +102,6 @@ double rk4_radians(const fmpq_t Omega, const fmpq_t t, const fmpq_t h);
  * further is FLOW_STALLED at once, and the precisions above grow no more.
  */
 bool flow_in_reach(const struct flow_request *r);
-bool flow_is_over(const struct flow_request *r);
 
 /* Whether some radius exceeds 2^-bits of the largest coordinate (all in like units), or is not finite. */
 bool flow_wide(arb_srcptr state, slong bits);

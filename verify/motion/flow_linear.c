@@ -73,7 +73,7 @@ enum flow_status flow_linear(struct flow_request *r)
         if (!_arb_vec_is_finite(state, FLOW_STATE))
             return FLOW_WIDE;
         r->reached = fmpq_get_d(r->times + k);
-        if (flow_is_over(r) || r->receive(r->context, k, r->times + k, state) != 0)
+        if (r->receive(r->context, k, r->times + k, state) != 0)
             return FLOW_STOPPED;
     }
     return FLOW_DONE;

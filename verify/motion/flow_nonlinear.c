@@ -194,8 +194,8 @@ enum flow_status flow_nonlinear(struct flow_request *r)
     for (int steps = 0; k < r->count; steps++) {
         double step;
         enum flow_status status = steps < MOST_STEPS ? begin_step(&f, &step) : FLOW_STALLED;
-        if (status != FLOW_DONE || flow_is_over(r))
-            return status != FLOW_DONE ? status : FLOW_STOPPED;
+        if (status != FLOW_DONE)
+            return status;
         for (; k < r->count && time_within(s, r->times + k, r->p->Omega, f.now, step, f.prec); k++) {
             state_at(&f, state, s);
             r->reached = fmpq_get_d(r->times + k);

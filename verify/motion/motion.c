@@ -239,7 +239,7 @@ static enum flow_status run_pass(struct pass *p, const fmpq *times, slong count)
         scenario_parameters(&p->parameters, m->scenario, p->prec);
         scenario_initial(p->initial, m->scenario, &p->parameters, m->nonlinear, p->prec);
         p->undecided = false;
-        struct flow_request r = {&p->parameters, p->initial, times, count, m->digits, p->prec, receive_row, p, m->nonlinear, m->h, NULL, 0, 0};
+        struct flow_request r = {&p->parameters, p->initial, times, count, m->digits, p->prec, receive_row, p, m->nonlinear, m->h, NULL, 0};
         status = flow_run(&r);
         p->reached = r.reached;
         p->prec *= 2;

@@ -108,8 +108,6 @@ enum flow_status rk4(struct flow_request *r)
             rk4_step(state, tau, r->nonlinear ? nonlinear_rates : linear_rates, c1, c2, prec);
             if (flow_wide(state, USEFUL_BITS))
                 return FLOW_WIDE;
-            if (flow_is_over(r))
-                return FLOW_STOPPED;
         }
         for (int i = 0; i < FLOW_STATE; i++)
             arb_mul(si + i, state + i, unit + i, prec);
