@@ -18,6 +18,12 @@ bool is_motion(const struct section *s)
     return s->method != METHOD_NONE && !operation_has_sensitivity(s);
 }
 
+void input_values(const struct section *s, const struct input *inputs, double *values)
+{
+    for (int i = 0; i < s->input_count; i++)
+        values[i] = inputs[i].infinite ? INFINITY : fmpq_get_d(&inputs[i].value);
+}
+
 double motion_unit(const struct section *s, const double *inputs, int coordinate)
 {
     const bool linear = s->method == METHOD_FLOW_LINEAR || s->method == METHOD_RK4_LINEAR;
@@ -208,17 +214,15 @@ static double midpoint(const arb_t x)
 static void digits_reached(const struct comparator *j, const struct input *inputs, double *least, double *most, double *lost)
 {
     const struct section *s = j->operation->section;
-    const bool linear = s->method == METHOD_FLOW_LINEAR || s->method == METHOD_RK4_LINEAR;
-    const double Omega = fmpq_get_d(&inputs[input_place(s, "Omega")].value);
-    const double L_ref = fmpq_get_d(&inputs[input_place(s, "L_ref")].value);
-    const struct input *initial = inputs + input_place(s, "t") + 1;
-    double scale = 0.0, off = 0.0, off_at_least = 0.0, wide = 0.0;
+    const int initial = input_place(s, "t") + 1;
+    double x[MOST_INPUTS], scale = 0.0, off = 0.0, off_at_least = 0.0, wide = 0.0;
     SCOPE(arb, difference);
     SCOPE(mag, bound);
+    input_values(s, inputs, x);
     for (int i = 0; i < s->output_count; i++) {
-        const double unit = (linear && i % 3 != 2 ? 1.0 : 1.0 / L_ref) / (i < 3 ? 1.0 : Omega);
+        const double unit = 1.0 / motion_unit(s, x, i);
         arb_sub(difference, j->y + i, j->exact + i, 256);
-        scale = fmax(scale, unit * fmax(fabs(fmpq_get_d(&initial[i].value)), fabs(midpoint(j->exact + i))));
+        scale = fmax(scale, unit * fmax(fabs(x[initial + i]), fabs(midpoint(j->exact + i))));
         arb_get_mag(bound, difference);
         off = fmax(off, unit * mag_get_d(bound));
         arb_get_mag_lower(bound, difference);

@@ -52,6 +52,9 @@ struct score {
 
 bool is_motion(const struct section *s);
 
+/* Inputs as the nearest binary64. */
+void input_values(const struct section *s, const struct input *inputs, double *values);
+
 /* In what a coordinate of a motion is counted: angles as they are, lengths in L_ref, rates by radians of orbit. */
 double motion_unit(const struct section *s, const double *inputs, int coordinate);
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "evaluate/vectors.h"
+#include "text/scope.h"
 
 /* After so many lines that answer nothing (and never before there are twice as many as questions) nothing more is heard. */
 enum { MOST_STRAYS = 10000 };
@@ -295,13 +296,14 @@ size_t test_run_ask(void *run, char *room, size_t size)
     struct test_run *e = run;
     const size_t longest = 2 * LONGEST_ID + LONGEST_INPUT * (size_t)MOST_INPUTS;
     size_t used = 0;
+    TEST_VECTOR(q);
     while (e->asked < e->sets.total && size - used > longest) {
         char text[LONGEST_INPUT];
-        test_vector_make(&e->asking, &e->sets, e->asked);
-        const struct section *s = e->asking.set->operation.section;
-        used += (size_t)snprintf(room + used, size - used, "%s %s", s->id, e->asking.id);
+        test_vector_make(&q, &e->sets, e->asked);
+        const struct section *s = q.set->operation.section;
+        used += (size_t)snprintf(room + used, size - used, "%s %s", s->id, q.id);
         for (int i = 0; i < s->input_count; i++) {
-            test_vector_text(&e->asking, i, e->sets.form, text);
+            test_vector_text(&q, i, e->sets.form, text);
             used += (size_t)snprintf(room + used, size - used, " %s", text);
         }
         room[used++] = '\n';
@@ -323,7 +325,6 @@ void test_run_begin(struct test_run *e)
         e->summaries[k] = (struct summary){.digits = INFINITY, .worst = UINT64_MAX, .ease = INT_MAX};
         comparator_init(&e->comparators[k], &e->sets.all[k].operation, e->significand, e->sets.all[k].digits);
     }
-    test_vector_init(&e->asking);
     test_vector_init(&e->heard_of);
 }
 
@@ -341,7 +342,6 @@ void test_run_clear(struct test_run *e)
 {
     for (int k = 0; k < e->sets.count; k++)
         comparator_clear(&e->comparators[k]);
-    test_vector_clear(&e->asking);
     test_vector_clear(&e->heard_of);
     free(e->comparators);
     free(e->summaries);

@@ -68,7 +68,6 @@ struct test_run {
     bool *answered;                 /* ... which vectors those were about         */
     bool range;                     /* what leaves the normal range is judged too */
     uint64_t asked, next, heard;    /* questions sent; the first one without an outcome; lines */
-    struct test_vector asking;      /* the vector at `asked`                      */
     struct test_vector heard_of;    /* the one that was answered or passed over   */
     uint64_t position;              /* ... its                                    */
     FILE *journal;                  /* of all records, for reports; NULL: none is wanted */

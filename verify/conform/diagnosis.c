@@ -115,8 +115,8 @@ static void gather(struct evidence *v, struct test_run *e, int set, bool domain)
         const struct record *r = &t->kept[i];
         const int f = v->count;
         test_vector_make(&q, &e->sets, r->position);
-        for (int k = 0; k < s->input_count; k++)
-            v->x[f][k] = !q.numbers ? NAN : q.inputs[k].infinite ? INFINITY : fmpq_get_d(&q.inputs[k].value);
+        input_values(s, q.inputs, v->x[f]);
+        v->x[f][0] = q.numbers ? v->x[f][0] : NAN;
         reference_find(s->id)(v->x[f], v->exact[f]);
         const bool outside = isnan(v->exact[f][0]);
         if (r->outcome > (domain ? OUTCOME_VALUE : OUTCOME_INVALID) || (outside && !domain) || (!outside && is_longer(s, q.inputs, 12.0)))
@@ -143,14 +143,14 @@ static bool explains(struct mutant *x, const struct evidence *v)
         double made[MOST_OUTPUTS] = {NAN}, values[MOST_INPUTS];
         const struct input *done = inputs_of_values(s, v->x[f], inputs) ? inputs_of(x, inputs) : NULL;
         const bool inside = done != NULL && operation_valid(&x->o, done);
-        for (int i = 0; i < x->o.section->input_count && inside && x->transforms; i++)
-            values[i] = done[i].infinite ? INFINITY : fmpq_get_d(&done[i].value);
-        if (inside && x->transforms)
+        if (inside && x->transforms) {
+            input_values(x->o.section, done, values);
             reference_find(x->o.section->id)(values, made);
-        else if (inside)
+        } else if (inside) {
             operation_enclose(&x->o, done, 128, y);
-        for (int k = 0; k < s->output_count && inside && !x->transforms; k++)
-            made[k] = arb_is_finite(y + k) ? arf_get_d(arb_midref(y + k), ARF_RND_NEAR) : NAN;
+            for (int k = 0; k < s->output_count; k++)
+                made[k] = arb_is_finite(y + k) ? arf_get_d(arb_midref(y + k), ARF_RND_NEAR) : NAN;
+        }
         all = is_answer(v, f, made);
     }
     return all;
