@@ -220,7 +220,8 @@ static void by_names(const struct evidence *v, char *text, size_t size)
 
 void kind_of_formula(const struct evidence *v, char *text, size_t size)
 {
-    static void (*const kinds[])(const struct evidence *, char *, size_t) = {wrong_outputs, fixed_decimals, permuted_outputs, constant_factor, by_names};
+    static void (*const kinds[])(const struct evidence *, char *, size_t) = {wrong_outputs, fixed_decimals, permuted_outputs, constant_factor,
+                                                                            by_names};
     int wrong = 0;
     bool differ = true;
     for (int f = 0; f < v->count; f++) {
