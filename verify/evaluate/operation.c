@@ -145,15 +145,10 @@ static enum operation_status enclose_flow(struct operation *o, const struct inpu
     return status == FLOW_DONE ? OPERATION_PROVED : OPERATION_UNDECIDED;
 }
 
-static slong formula_precision(slong digits)
-{
-    return (slong)((double)digits * 3.33) + FORMULA_GUARD_BITS; /* 3.33 > log2(10) */
-}
-
 slong operation_precision(const struct operation *o, const struct input *inputs, slong digits)
 {
     if (o->section->method == METHOD_FORMULA || o->section->method == METHOD_ROOTS)
-        return formula_precision(digits);
+        return (slong)((double)digits * 3.33) + FORMULA_GUARD_BITS; /* 3.33 > log2(10) */
     const fmpq *Omega = input_named(o, inputs, "Omega"), *t = input_named(o, inputs, "t");
     if (o->section->method >= METHOD_RK4_LINEAR)
         return rk4_precision(digits, rk4_radians(Omega, t, input_named(o, inputs, "h")));

@@ -94,13 +94,11 @@ static void set_problem(struct flow *f)
         arb_set(f->series.hull.c[v], f->series.path.c[v]);
 }
 
-static void expand_series(struct flow *f)
+static void expand_series(struct flow *f, arb_srcptr box)
 {
-    VECTOR(arb, box, FLOW_STATE);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set(f->series.path.c[i], f->set.centre + i);
     expansion_path(&f->series, f->prec, (double)f->bits / (double)f->series.path.order);
-    lohner_to_box(box, &f->set);
     for (int i = 0; i < FLOW_STATE; i++)
         arb_set_round(f->series.hull.c[i], box + i, LOHNER_BITS);
     expansion_derivatives(&f->series, &f->set);
@@ -145,34 +143,26 @@ static bool advance_set(struct flow *f, double step)
     return expansion_move(&f->set, image, &f->series, h, f->series.spread_bound.remainder);
 }
 
-/* Whether the set has lost the digits that are wanted. */
-static bool lost(const struct flow *f)
+/* Whether the craft are closer than 2^CLOSE L_ref wherever in the box they are. */
+static bool is_close(arb_srcptr box, slong prec)
 {
-    VECTOR(arb, box, FLOW_STATE);
-    lohner_to_box(box, &f->set);
-    return flow_wide(box, (slong)(log2(10) * (double)f->of->digits));
-}
-
-/* Whether the craft are closer than 2^CLOSE L_ref wherever in the set they are. */
-static bool is_close(const struct flow *f)
-{
-    VECTOR(arb, box, FLOW_STATE);
     SCOPE(arb, r);
     SCOPE(arf, bound);
-    lohner_to_box(box, &f->set);
-    arb_dot(r, NULL, 0, box, 1, box, 1, FLOW_HALF, f->prec);
-    arb_get_ubound_arf(bound, r, f->prec);
+    arb_dot(r, NULL, 0, box, 1, box, 1, FLOW_HALF, prec);
+    arb_get_ubound_arf(bound, r, prec);
     return arf_cmp_2exp_si(bound, 2 * CLOSE) < 0;
 }
 
-/* Expands about the start of a step and proves its length. */
+/* Expands about the start of a step and proves its length, unless the set has lost the digits that are wanted. */
 static enum flow_status begin_step(struct flow *f, double *step)
 {
-    if (lost(f))
+    VECTOR(arb, box, FLOW_STATE);
+    lohner_to_box(box, &f->set);
+    if (flow_wide(box, (slong)(log2(10) * (double)f->of->digits)))
         return FLOW_WIDE;
-    expand_series(f);
+    expand_series(f, box);
     *step = step_length(f);
-    if (*step < ldexp(1, LEAST_STEP) && is_close(f))
+    if (*step < ldexp(1, LEAST_STEP) && is_close(box, f->prec))
         return FLOW_CLOSE;
     *step = expansion_prove(&f->series, &f->set, *step, MOST_HALVINGS);
     return *step > 0 ? FLOW_DONE : FLOW_WIDE;

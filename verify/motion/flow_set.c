@@ -351,8 +351,8 @@ static void end_round(struct work *w)
     w->proved = w->limit;
     for (int i = 0; i < before; i++) {
         if (w->piece[i].split >= 0 && w->count < w->set->most_pieces) {
-            w->piece = xrealloc(w->piece, (size_t)w->count + 1, sizeof *w->piece);
-            piece_split(&w->piece[w->count++], &w->piece[i]);
+            struct piece *upper = APPENDED(w->piece, w->count);
+            piece_split(upper, &w->piece[i]);
         }
         struct piece *p = &w->piece[i];
         p->split = -1;
@@ -412,13 +412,12 @@ enum flow_status flow_set(const struct flow_set *s, const fmpq *times, slong cou
     const int direction = fmpq_sgn(times + count - 1) < 0 ? -1 : 1;
     VECTOR(arb, low, SET_BOUNDS * count);
     VECTOR(arb, high, SET_BOUNDS * count);
-    OWNED(work) w = {.set = s, .times = times, .limit = count, .count = 1, .low = low, .high = high};
+    OWNED(work) w = {.set = s, .times = times, .limit = count, .low = low, .high = high};
     for (slong i = 0; i < SET_BOUNDS * count; i++) {
         arb_pos_inf(low + i);
         arb_neg_inf(high + i);
     }
-    w.piece = xrealloc(NULL, 1, sizeof *w.piece);
-    piece_init(w.piece, s->model);
+    piece_init(APPENDED(w.piece, w.count), s->model);
     for (int i = 0; i < s->threads; i++)
         follower_init(&w.follower[i], s, direction);
     pthread_mutex_init(&w.lock, NULL);

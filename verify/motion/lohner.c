@@ -140,8 +140,8 @@ bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_struct *der
     MATRIX(arb, unit, N, N);
     MATRIX(arb, inverse, N, N);
     MATRIX(arb, turned, N, N);
-    mag_ptr loose = _mag_vec_init(N), radius = _mag_vec_init(N);
-
+    VECTOR(mag, loose, N);
+    VECTOR(mag, radius, N);
     choose_basis(set, derivative);
     for (int i = 0; i < N; i++) {
         for (int j = 0; j < N; j++)
@@ -160,8 +160,5 @@ bool lohner_move(struct lohner *set, arb_srcptr image, const arb_mat_struct *der
         mag_swap(set->radius + i, radius + i);
         bounded = bounded && mag_is_finite(set->radius + i);
     }
-
-    _mag_vec_clear(loose, N);
-    _mag_vec_clear(radius, N);
     return bounded;
 }
