@@ -16,8 +16,6 @@ struct exact {
     ca_struct value;
 };
 
-extern const struct arithmetic arithmetic_exact; /* prec: unused */
-
 /* No number, or an infinite one, for certain. */
 bool exact_is_undefined(const struct exact *x);
 

@@ -32,8 +32,6 @@ struct symbolic {
     enum symbolic_fault fault;
 };
 
-extern const struct arithmetic arithmetic_symbolic; /* prec = number of terms */
-
 /*
  * A field of rational functions, perhaps within another, which waits until it ends; every number is cleared before. As long as
  * there are `more`, a square root, sine, cosine, exponential or arc tangent that has no value is a further variable, the same one
