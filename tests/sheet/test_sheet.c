@@ -215,6 +215,7 @@ static const struct {
     {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n...\n]\n", "34:1: ", "expected one document, another follows"},
     {"[2a, 2b]", "[2a, 2b", "", "expected YAML: "},
     {"[2a, 2b]", "&a [*a]", "17:16: ", "expected no alias of this"},
+    {"[2a, 2b]", "\n      &a b:\n        *a : c", "18:7: ", "expected no alias of this"},
     {"[2a, 2b]", "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[2a]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]", "17:45: ", "expected less in each other"},
     {"equations:\n  eq1:", "equations:\n\teq1:", "", "expected YAML: "},
 };
