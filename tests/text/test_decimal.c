@@ -334,6 +334,11 @@ TEST(D2_ends_of_a_ball_are_rounded_outward)
     ck_assert_ptr_null(decimal_of_ball(x, 1));
     arb_neg(x, x);
     ck_assert_ptr_null(decimal_of_ball(x, 1));
+    arb_one(x);
+    mag_set_ui_2exp_si(arb_radref(x), 1, -1000); /* far from any tie the ends have bits enough */
+    char *text = decimal_of_ball(x, 10);
+    ck_assert_pstr_eq(text, "1.000000000e+00");
+    free(text);
 }
 
 /* (2 j + 1)/2 10^k for whole numbers of 60 digits is exact, as are odd multiples of 2^-k. */

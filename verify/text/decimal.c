@@ -172,7 +172,7 @@ char *decimal_of_ball(const arb_t x, slong digits)
     const slong prec = FLINT_MAX(10 * digits / 3, arf_bits(arb_midref(x))) + 64; /* of a number without radius all of its own */
     if (arb_is_zero(x))
         return text_copy("0");
-    if (!arb_is_finite(x) || arb_contains_zero(x) || fmpz_bits(ARF_EXPREF(arb_midref(x))) > EXPONENT_BITS)
+    if (arb_contains_zero(x) || fmpz_bits(ARF_EXPREF(arb_midref(x))) > EXPONENT_BITS) /* as the exponent of an infinity is */
         return NULL;
     char *text = rounded_end(x, prec, false, digits, MPFR_RNDN), *upper = rounded_end(x, prec, true, digits, MPFR_RNDN);
     if (strcmp(text, upper) != 0) {
