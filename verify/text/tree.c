@@ -20,9 +20,11 @@ static bool is_white(char c)
 static yaml_mark_t place_in_text(const struct yaml *n, size_t offset)
 {
     yaml_mark_t place = n->node->start_mark;
-    bool header = n->text != NULL && n->node->data.scalar.style != YAML_PLAIN_SCALAR_STYLE; /* the quotation mark, or > and - */
-    if (n->text == NULL || offset == 0 || place.line == n->node->end_mark.line) {
-        place.column += offset + (header && offset > 0);
+    if (n->text == NULL || offset == 0)
+        return place;
+    bool header = n->node->data.scalar.style != YAML_PLAIN_SCALAR_STYLE; /* the quotation mark, or > and - */
+    if (place.line == n->node->end_mark.line) {
+        place.column += offset + header;
         return place;
     }
     size_t ahead = 0; /* characters that are no blanks */
