@@ -211,7 +211,7 @@ static const struct {
     {"{x1: 3", "{x1: \"3 four\"", "43:19: ", "expected a number"},
     {"value: 10", "value: [10]", "5:39: ", "missing value, expected a text"},
     {"unit: rad/s", "\"un\\nit\": rad/s", "2:11: ", "unknown key 'un?it', expected perhaps unit"},
-    {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n---\nmore: 1\n", "34:1: ", "expected one document, another follows"},
+    {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n---\nmore:\n", "34:1: ", "expected one document, another follows"},
     {"outputs: [x1, y1]\n", "outputs: [x1, y1]\n...\n]\n", "34:1: ", "expected one document, another follows"},
     {"[2a, 2b]", "[2a, 2b", "", "expected YAML: "},
     {"[2a, 2b]", "&a [*a]", "17:16: ", "expected no alias of this"},
