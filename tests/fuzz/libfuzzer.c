@@ -6,7 +6,7 @@
 
 #include "targets.h"
 
-static const struct target *chosen = targets;
+static const struct target *chosen;
 
 int LLVMFuzzerInitialize(int *count, char ***arguments);
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -15,9 +15,10 @@ int LLVMFuzzerInitialize(int *count, char ***arguments)
 {
     const char *path = (*arguments)[0], *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
     (void)count;
-    while (chosen->name != NULL && strcmp(chosen->name, name) != 0)
-        chosen++;
-    if (chosen->name == NULL) {
+    for (int i = 0; i < TARGETS; i++)
+        if (strcmp(targets[i].name, name) == 0)
+            chosen = &targets[i];
+    if (chosen == NULL) {
         fprintf(stderr, "%s: no target has this name\n", name);
         exit(2);
     }

@@ -7,9 +7,9 @@
 
 #include "text/message.h"
 
-const struct target targets[] = {
+const struct target targets[TARGETS] = {
     {"literal", literal},           {"expression", expression}, {"sheet", sheet_file}, {"derivations", derivations_file},
-    {"command-line", command_line}, {"protocol", protocol},     {"answers", answers},  {NULL, NULL}};
+    {"command-line", command_line}, {"protocol", protocol},     {"answers", answers}};
 
 void require(bool holds, const char *what, const char *text)
 {

@@ -13,8 +13,9 @@ struct target {
     void (*run)(const char *bytes, size_t size);
 };
 
-/* One without a name ends them. */
-extern const struct target targets[];
+enum { TARGETS = 7 };
+
+extern const struct target targets[TARGETS];
 
 void literal(const char *bytes, size_t size);
 void expression(const char *bytes, size_t size);

@@ -8,15 +8,7 @@
 
 enum { LARGEST = 1 << 17 };
 
-static int target_count(void)
-{
-    int count = 0;
-    while (targets[count].name != NULL)
-        count++;
-    return count;
-}
-
-EACH(inputs_are_survived, target_count())
+EACH(inputs_are_survived, TARGETS)
 {
     static char bytes[LARGEST];
     char pattern[100];
