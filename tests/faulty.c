@@ -143,15 +143,14 @@ static bool misbehave(const struct asked *a, const char *fault, const char *file
         printf("%s skip not written yet\n", a->id);
         return true;
     }
-    return false;
+    return strcmp(fault, "empty") == 0; /* hears everything, says nothing */
 }
 
-/* The faults of a client that pays no attention. */
-static int without_questions(const char *fault)
+/* What is said before the first question. */
+static void begin(const char *fault)
 {
-    char line[LONGEST];
     if (strcmp(fault, "dies") == 0)
-        return 9;
+        exit(9);
     if (strcmp(fault, "flood") == 0)
         while (puts("y") >= 0 && fflush(stdout) == 0)
             ;
@@ -159,9 +158,6 @@ static int without_questions(const char *fault)
         puts("eq44-negative invalid");
         fflush(stdout);
     }
-    while (strcmp(fault, "early") != 0 && fgets(line, sizeof line, stdin) != NULL)
-        ; /* empty: hears everything, says nothing */
-    return 0;
 }
 
 int main(int count, char **arguments)
@@ -169,12 +165,7 @@ int main(int count, char **arguments)
     const char *fault = count > 1 ? arguments[1] : "none", *file = count > 2 ? arguments[2] : NULL;
     char line[LONGEST];
     long n = 0;
-    if (strcmp(fault, "dies") == 0 || strcmp(fault, "flood") == 0 || strcmp(fault, "empty") == 0 ||
-        strcmp(fault, "early") == 0) {
-        const int status = without_questions(fault);
-        if (strcmp(fault, "early") != 0)
-            return status;
-    }
+    begin(fault);
     while (fgets(line, sizeof line, stdin) != NULL) {
         struct asked a;
         understand(&a, line);
