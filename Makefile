@@ -153,9 +153,10 @@ $(BUILD)/packages.found:
 	@mkdir -p $(@D) && touch $@
 
 # The sheet, the steps and the claims become part of the program once they have been found free of mistakes.
-$(EMBED): $(BUILD)/sheet.checked
+SHEETS  := paper/equations.yaml paper/derivations.yaml paper/claims.yaml
+$(EMBED): $(BUILD)/sheet.checked $(SHEETS)
 
-$(BUILD)/sheet.checked: $(BUILD)/sheet-check paper/equations.yaml paper/derivations.yaml paper/claims.yaml
+$(BUILD)/sheet.checked: $(BUILD)/sheet-check $(SHEETS)
 	$(call say,CHECK,$(wordlist 2,4,$^))
 	$(Q)$^
 	@touch $@
@@ -262,8 +263,7 @@ mcdc:
 
 ## mutants: wrong programs, one point away from the right one, and whether the tests notice; SAMPLE=200 SEED=... a sample; KIND=soundness
 mutants:
-	@unset MAKEFLAGS MFLAGS MAKELEVEL CT_MAKE; PYTHONDONTWRITEBYTECODE=1 CC='$(CC)' $(PYTHON) coverage/mutants.py $(BUILD)/mutants \
-	  $(foreach option,KIND SAMPLE SEED ONLY BUDGET,$(addprefix --$(shell echo $(option) | tr A-Z a-z) ,$($(option)))) $(if $(README),--readme)
+	@unset MAKEFLAGS MFLAGS MAKELEVEL CT_MAKE; PYTHONDONTWRITEBYTECODE=1 CC='$(CC)' $(PYTHON) coverage/mutants.py $(BUILD)/mutants
 
 # cppcheck takes a pointer to an unset result for a use of it (ctuuninitvar), and what SCOPE initialises in symbolic.c for unset.
 ## lint: clang-tidy and cppcheck, without findings
