@@ -57,8 +57,6 @@ static void fixed_decimals(const struct evidence *v, char *text, size_t size)
     int decimals = 0;
     for (int f = 0; f < v->count; f++) {
         const char *word = v->records[f]->text;
-        if (isnan(v->y[f][0]))
-            continue;
         for (int k = 0; k < v->section->output_count; k++, word += strcspn(word, " "), word += strspn(word, " ")) {
             const char *point = word + strcspn(word, ". ");
             const int length = (int)strspn(point + (*point == '.'), "0123456789");

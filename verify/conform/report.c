@@ -88,13 +88,23 @@ int first_wrong_digit(const char *got, const char *expected)
 {
     const int sign = (int)strspn(got, "+-"), end = (int)strcspn(got, "eE"), lead = sign + (int)strspn(got + sign, "0.");
     const int point = (int)strcspn(got, ".");
-    const double is = strtod(got, NULL), off = fabs(is - strtod(expected, NULL));
-    if (strpbrk(got, "xXnN") != NULL || off == 0.0)
-        return -1;
-    const double places = floor(log10(fabs(is))) - floor(log10(off) + 1e-6); /* but for what inputs are rounded */
-    int at = places >= 0.0 ? lead + (int)fmin(places, end) : sign;
-    at += lead < point && at >= point;
-    return lead >= end || at > end ? end : at;
+    int at = -1;
+    mpfr_t is, off;
+    mpfr_inits2(256, is, off, (mpfr_ptr)NULL);
+    if (strpbrk(got, "xXnN") == NULL && mpfr_set_str(is, got, 10, MPFR_RNDN) == 0 && mpfr_set_str(off, expected, 10, MPFR_RNDN) == 0 &&
+        mpfr_cmp(is, off) != 0) {
+        mpfr_sub(off, is, off, MPFR_RNDN);
+        mpfr_abs(is, is, MPFR_RNDN);
+        mpfr_abs(off, off, MPFR_RNDN);
+        mpfr_log10(is, is, MPFR_RNDN);
+        mpfr_log10(off, off, MPFR_RNDN);
+        const double places = floor(mpfr_get_d(is, MPFR_RNDN)) - floor(mpfr_get_d(off, MPFR_RNDN) + 1e-6); /* but for what inputs are rounded */
+        at = places >= 0.0 ? lead + (int)fmin(places, end) : sign;
+        at += lead < point && at >= point;
+        at = lead >= end || at > end ? end : at;
+    }
+    mpfr_clears(is, off, (mpfr_ptr)NULL);
+    return at;
 }
 
 /* ---- one vector ---- */
