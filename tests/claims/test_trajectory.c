@@ -60,6 +60,19 @@ EACH(trajectories_agree_with_the_equations_in_the_angles, COUNT(rows))
     trajectory_clear(&t);
 }
 
+/* From a box of which nothing is proved there is no number of any sample. */
+TEST(a_motion_that_is_not_proved_to_its_end_has_no_numbers)
+{
+    struct trajectory t;
+    VECTOR(arb, start, FLOW_STATE);
+    mag_set_d(arb_radref(start + PSI), 0.5);
+    ck_assert(!trajectory_run(&t, &(struct simulation){.steps = steps(), .nonlinear = true, .start = start}, 0, HOUR, DAY));
+    for (slong k = 0; k < t.count; k++)
+        for (int i = 0; i < COORDINATES; i++)
+            ck_assert(!arb_is_finite(trajectory_sample(&t, k) + i));
+    trajectory_clear(&t);
+}
+
 /* E falls from sample to sample, and by what C2 takes: -c2 (l'/l)^2, or -c2 eta'^2, by the trapezoidal rule. */
 EACH(energy_falls_by_what_the_gain_takes, 2)
 {

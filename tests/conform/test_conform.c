@@ -188,8 +188,14 @@ TEST(roots_are_shown_as_a_set_with_a_mark_below_what_is_wrong)
                              "-3.0327232498739167e-05 -3.8823610912141664e-05'"), 1);
     assert_says("    im2        expected 1.8200486135682382556e-04\n               got      1.8200486145682383e-04\n"
                 "                                  ^\n    re3 ");
-    assert_says("got      -3.0327232498739167e-05\n    im4        expected 3.8823610912141664092e-05\n");
+    assert_says("got      -3.0327232498739167e-05\n    im4        expected 3.8823610912141664092e-05\n"
+                "               got      3.8823610912141664e-05\n");
     ck_assert_ptr_null(strstr(strstr(said, " ^\n") + 1, " ^\n"));
+    ck_assert_int_eq(conform("--only eq41roots-paper -- sh -c 'read o id in; echo $id -3.0327232498739167e-05 3.8833610912141664e-05 "
+                             "-4.2587767501260836e-05 -1.8200486135682383e-04 -4.2587767501260836e-05 1.8200486135682383e-04 "
+                             "-3.0327232498739167e-05 -3.8823610912141664e-05'"), 1);
+    assert_says("    im4        expected 3.8823610912141664092e-05\n               got      3.8833610912141664e-05\n"
+                "                            ^\n");
 }
 
 /* Every golden vector of every operation, and those of the four levels are the same. */

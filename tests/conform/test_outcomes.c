@@ -350,16 +350,14 @@ static void split(char *text, const char **words)
 
 static enum outcome judged(const char *operation, const char *inputs, const char *answer, int significand)
 {
-    char given[300], said_so[300];
-    const char *words[MOST_INPUTS], *outputs[MOST_OUTPUTS];
+    char given[300], *rest;
+    const char *words[MOST_INPUTS];
     struct judgement k;
     snprintf(given, sizeof given, "%s", inputs);
-    snprintf(said_so, sizeof said_so, "%s", answer);
     split(given, words);
-    split(said_so, outputs);
     judgement_begin(&k, operation, words, significand, 9);
-    for (int i = 0; i < k.operation.section->output_count; i++)
-        arb_set_d(k.comparator.y + i, strtod(outputs[i], NULL));
+    for (int i = 0; i < k.operation.section->output_count; i++, answer = rest)
+        arb_set_d(k.comparator.y + i, strtod(answer, &rest));
     return judgement_end(&k);
 }
 

@@ -216,16 +216,20 @@ bool trajectory_run(struct trajectory *t, const struct simulation *s, long first
     for (slong k = 0; k < t->count; k++)
         fmpq_set_si(times + k, first + k * step, 1);
     fmpq_set_si(h, s->rk4, 1);
-    for (slong k = 0; k < t->count && s->closed_form; k++) {
-        time_of_sample(tau, t, k);
-        second_order_after(trajectory_sample(t, k), &t->closed, t->amplitude, tau);
-    }
-    if (s->closed_form)
+    if (s->closed_form) {
+        for (slong k = 0; k < t->count; k++) {
+            time_of_sample(tau, t, k);
+            second_order_after(trajectory_sample(t, k), &t->closed, t->amplitude, tau);
+        }
         return true;
+    }
     const struct flow_steps how = {.derivative_order = s->forced ? FORCED_ORDER : 0, .system = s->swing != NULL ? &moved.system : NULL,
                                    .constants = moved.constants, .held = s->held};
-    return flow_run(&(struct flow_request){&p, initial, times, t->count, digits, t->prec, take_sample, t, s->nonlinear,
-                                           s->rk4 ? h : NULL, &how, 0}) == FLOW_DONE;
+    if (flow_run(&(struct flow_request){&p, initial, times, t->count, digits, t->prec, take_sample, t, s->nonlinear,
+                                        s->rk4 ? h : NULL, &how, 0}) == FLOW_DONE)
+        return true;
+    _arb_vec_indeterminate(t->samples, t->count * COORDINATES);
+    return false;
 }
 
 /*

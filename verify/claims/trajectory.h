@@ -59,7 +59,7 @@ enum { TRAJECTORY_DIGITS = 20, HOUR = 3600, DAY = 24 * HOUR };
 /* The value that the paper's simulation gives a quantity: Table 1 and the initial conditions. */
 void sheet_value(arb_t x, const struct sheet *s, const char *name, slong prec);
 
-/* Samples at first, first + step, ... last, whole seconds; false when the flow ended before. */
+/* Samples at first, first + step, ... last, whole seconds; false when the flow ended before: then they are no numbers. */
 bool trajectory_run(struct trajectory *t, const struct simulation *s, long first, long step, long last);
 void trajectory_init(struct trajectory *t); /* of `count` samples; all its numbers are 0 */
 void trajectory_clear(struct trajectory *t);

@@ -31,7 +31,7 @@ static bool is_same(const struct evidence *v, int f, int k, double number)
 bool is_answer(const struct evidence *v, int f, const double *made)
 {
     bool numbers = true, same = true;
-    int order[] = {0, 1, 2, 3};
+    int order[4] = {0};
     if (v->section->method == METHOD_ROOTS)
         match_roots(v->y[f], made, order);
     for (int k = 0; k < v->section->output_count; k++) {
