@@ -432,6 +432,8 @@ static const struct {
     {"a: dL > 0", "a: [m1 + m2 = m2 + m1]", "t:7:9: it holds whatever the sheet says"},
     {"a: dL > 0", "a: eq43.C1 - eq43.C1 + m2 = m2", "t:7:8: it holds whatever the sheet says"},
     {"a: dL > 0", "a: [eq43.C1 = n*Omega^2, 0*eq44.C2 = 0]", "t:7:30: it holds whatever the sheet says"},
+    {"a: dL > 0", "a: [m1 + m2 = 2*m2]", "t:7:9: it holds whatever the sheet says"},
+    {"a: dL > 0", "a: [eq43.C1 = n*Omega^2, m1 + m2 = 2*m2]", "t:7:30: it holds whatever the sheet says"},
     {"a: dL > 0", "a: {algebra: dL > 0}", "t:7:18: expected equalities for all values"},
     {"a: dL > 0", "a: {show: dL > dL}", "t:7:15: both sides are the same"},
     {"a: dL > 0", "a: dL > nothing", "t:7:13: unknown symbol 'nothing'"},

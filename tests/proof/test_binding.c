@@ -160,6 +160,7 @@ static const struct {
     /* (W1) whatever the formulas are; what is a number is none; the second of several */
     {"a", "a", ENDS "    show: [eq1.f - eq1.f = given.g - given.g]", "holds whatever the formulas are"},
     {"a", "a", ENDS "    show: [eq1.f = given.g, 2*eq1.f = eq1.f + eq1.f]", "2*eq1.f = eq1.f + eq1.f holds whatever"},
+    {"a*b", "a*b", ENDS "    show: [eq1.f = given.g, 2*eq1.f = eq1.f + eq1.f]\n    lines: {so: eq1.f - a*b = 0}", "2*eq1.f = eq1.f + eq1.f holds whatever"},
     {"a", "a", ENDS "    show: [eq1.f = given.g, b = b + 0*c]", "b = b + 0*c holds whatever"},
     {"a", "a", ENDS "    rates: {a: a_dot}\n    show: [eq1.f = given.g, rate(eq1.f^2) = 2*eq1.f*rate(eq1.f)]", "holds whatever the formulas are"},
     {"atan2(p*sin(psi), p*cos(psi))", "p", ENDS "    angles: [psi]\n    square roots: [p]\n    show: [sin(eq1.f)^2 + cos(eq1.f)^2 = 1, p = given.g]", "holds whatever"},
