@@ -49,7 +49,7 @@ static int check_given(const struct section *s, const struct assignment *known)
 
 static int read_inputs(const struct arguments *a, const struct section *s, bool exact, struct input *inputs)
 {
-    struct assignment known[MOST_INPUTS] = {{NULL}};
+    struct assignment known[MOST_INPUTS] = {{.name = NULL}};
     const bool paper = option_given(a, "--table1");
     for (int i = 0; i < s->input_count; i++)
         known[i] = (struct assignment){.name = s->inputs[i]->name, .value = inputs + i,

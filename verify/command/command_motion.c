@@ -158,7 +158,7 @@ int read_scenario(struct scenario *s, const struct arguments *a, struct input *l
 {
     const bool set = option_given(a, "--set");
     const char *names[MOST_NAMES];
-    struct assignment known[MOST_NAMES] = {{NULL}};
+    struct assignment known[MOST_NAMES] = {{.name = NULL}};
     const int count = names_taken(a->subcommand, names);
     bool completes = false;
     for (int i = 0; i < count; i++) {
