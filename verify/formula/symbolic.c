@@ -127,10 +127,14 @@ static double bits_of(const quotient *x)
     return (double)FLINT_MAX(FLINT_ABS(over), FLINT_ABS(under));
 }
 
+static slong degree_of_polynomial(const fmpz_mpoly_t f)
+{
+    return fmpz_mpoly_is_fmpz(f, CTX) ? 0 : fmpz_mpoly_total_degree_si(f, CTX); /* at a point most are numbers */
+}
+
 static double degree_of(const quotient *x)
 {
-    return (double)FLINT_MAX(fmpz_mpoly_total_degree_si(fmpz_mpoly_q_numref(x), CTX),
-                             fmpz_mpoly_total_degree_si(fmpz_mpoly_q_denref(x), CTX));
+    return (double)FLINT_MAX(degree_of_polynomial(fmpz_mpoly_q_numref(x)), degree_of_polynomial(fmpz_mpoly_q_denref(x)));
 }
 
 static double terms_of(const quotient *x)
