@@ -241,8 +241,9 @@ bool option_given(const struct arguments *a, const char *name)
 
 uint64_t option_number(const struct arguments *a, const char *name)
 {
-    const char *text = option_value(a, name), *otherwise = option_find(a->subcommand, name)->otherwise;
-    return text != NULL ? strtoull(text, NULL, 10) : otherwise != NULL ? strtoull(otherwise, NULL, 10) : 0;
+    const struct option *option = option_find(a->subcommand, name);
+    const char *given = option_value(a, name), *text = given == NULL && option != NULL ? option->otherwise : given;
+    return text != NULL ? strtoull(text, NULL, 10) : 0;
 }
 
 enum input_form option_inputs(const struct arguments *a)
