@@ -558,10 +558,11 @@ const struct yaml *text_at(const struct yaml *node, int i)
 
 static bool show_each(struct identities *t, const struct yaml *show)
 {
+    const struct yaml *item;
     bool fine = true;
     t->show = show;
-    for (int i = 0; fine && text_at(show, i) != NULL; i++)
-        fine = show_one(t, text_at(show, i));
+    for (int i = 0; fine && (item = text_at(show, i)) != NULL; i++)
+        fine = show_one(t, item);
     return fine;
 }
 
