@@ -19,7 +19,7 @@ numbers='s/^ *[0-9]*%: Checks: \([0-9]*\), Failures: \([0-9]*\), Errors: \([0-9]
 
 # Not every system has this command, or this option of it.
 limit=
-if timeout --foreground 1 true 2>/dev/null; then limit='timeout --foreground 600'; fi
+if timeout --foreground 1 true 2>/dev/null; then limit="timeout --foreground $((600 * ${CK_TIMEOUT_MULTIPLIER:-1}))"; fi
 
 run_one() { # FILE
     name=${1##*/}
