@@ -23,6 +23,8 @@ CFLAGS     ?= -O2 -g1
 INSTALL    ?= install
 PKG_CONFIG ?= pkg-config
 export PYTHON ?= $(or $(wildcard /usr/bin/python3),python3)
+# Its text is UTF-8 whatever the locale.
+export PYTHONUTF8 := 1
 # What is found out by starting a program is found out where it is needed, and once: most makes compile nothing.
 once = $(eval $(1) := $(2))$($(1))
 SHA256 = $(call once,SHA256,$(shell if command -v sha256sum >/dev/null 2>&1; then echo sha256sum; else echo shasum -a 256; fi))
