@@ -132,7 +132,7 @@ static const struct oracle_run diagnoses[] = {
     {"--only eq44 -- FAULTY ends-in-the-middle", 1, "\nthe client ended after 5 of 33 answers\n"},
     {"--only eq43 -- FAULTY value", 1, REFUSED},
     {"--only eq41roots -- FAULTY units", 1, "  looks like a factor Omega is missing\n"},
-    {"--only eq41roots -- FAULTY conjugates", 1, "  looks like im1, im2, im3 lost the sign, as roots do without their conjugates\n"},
+    {"--only eq41roots -- FAULTY conjugates", 1, "  looks like conjugates are missing: the imaginary parts lost the sign\n"},
     {"--only " TWO_TIMES("flow_linear") " -- FAULTY euler", 1, "  looks like Euler's method with steps of 10 s\n"},
     {"--only " TWO_TIMES("rk4_linear") " -- FAULTY euler", 1, "  looks like Euler's method with steps of 1 h\n"},
     {"--only " LATER("flow_linear") " -- FAULTY long-step", 1, "  looks like the classical Runge-Kutta method with steps of 300 s\n"},

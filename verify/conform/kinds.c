@@ -105,9 +105,10 @@ static double turned(double angle, double number)
 /* Outputs that are wrong all in one way, where the others are right. */
 static void wrong_outputs(const struct evidence *v, char *text, size_t size)
 {
-    static const char *const ways[] = {"differs by 2 pi: it lies from -pi to pi", "is that of atan2 with its arguments exchanged",
-                                       "lost the sign, as roots do without their conjugates", "all zeros"};
-    for (size_t way = 0; way < sizeof ways / sizeof *ways; way++) {
+    enum { TURNED, EXCHANGED, UNSIGNED, ZEROS, WAYS };
+    static const char *const ways[WAYS] = {"differs by 2 pi: it lies from -pi to pi", "is that of atan2 with its arguments exchanged",
+                                           "lost the sign", "all zeros"};
+    for (int way = 0; way < WAYS; way++) {
         char names[240] = "";
         bool fits = true;
         for (int k = 0; k < v->section->output_count; k++) {
@@ -120,8 +121,10 @@ static void wrong_outputs(const struct evidence *v, char *text, size_t size)
             }
             add_text(names, sizeof names, ", ", v->section->outputs[k]->name);
         }
+        /* of roots, which are a set, it is not told whose */
+        const bool conjugates = way == UNSIGNED && v->section->method == METHOD_ROOTS && strstr(names, "re") == NULL;
         if (fits)
-            snprintf(text, size, "%s %s", names, ways[way]);
+            snprintf(text, size, "%s %s", conjugates ? "conjugates are missing: the imaginary parts" : names, ways[way]);
     }
 }
 
