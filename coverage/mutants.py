@@ -229,7 +229,10 @@ def self_test():
 def main():
     self_test()
     defaults = {'KIND': '', 'SAMPLE': 0, 'SEED': '1', 'ONLY': '', 'BUDGET': 60.0, 'WORKERS': os.cpu_count() or 1}
-    kind, sample, seed, only, budget, workers = (type(value)(os.environ.get(name) or value) for name, value in defaults.items())
+    try:
+        kind, sample, seed, only, budget, workers = (type(value)(os.environ.get(name) or value) for name, value in defaults.items())
+    except ValueError as error:
+        sys.exit(f'mutants: SAMPLE, BUDGET and WORKERS are numbers: {error}')
     if len(sys.argv) != 2 or kind not in ('', *KINDS):
         sys.exit(__doc__)
     # What is used no longer is not wrong by that.

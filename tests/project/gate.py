@@ -33,7 +33,10 @@ def known(place, text, true):
 
 
 def made(name):
-    with open(f"{build}/{name}.json", encoding="utf-8") as file:
+    path = f"{build}/{name}.json"
+    if not os.path.exists(path):
+        sys.exit(f"gate: no {path}: run make check")
+    with open(path, encoding="utf-8") as file:
         return json.load(file, parse_float=str)
 
 
